@@ -1,0 +1,31 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <string>
+
+namespace alpenglow {
+
+/// A progress bar with an ETA on stderr. On a terminal the line is redrawn; elsewhere a line is printed now and then,
+/// so that a log stays readable.
+class Progress {
+public:
+    Progress(std::string title, std::size_t steps);
+    ~Progress();
+    Progress(Progress const&) = delete;
+    Progress& operator=(Progress const&) = delete;
+
+    /// `done` of the steps are done; `note` says what comes next.
+    void update(std::size_t done, std::string const& note = {});
+
+private:
+    using Clock = std::chrono::steady_clock;
+    std::string title_;
+    std::size_t steps_;
+    Clock::time_point start_ = Clock::now();
+    Clock::time_point printed_{};
+    bool terminal_;
+    bool open_line_ = false;
+};
+
+} // namespace alpenglow

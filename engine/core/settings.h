@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+
+namespace alpenglow {
+
+/// Everything about a picture that is not the world itself. One table (`setting_table`) gives each field its name, type,
+/// range, unit and help; the command line, the view files and their schema, the panel and the documents are made from it.
+struct Settings {
+    // The air
+    bool air = true;                 ///< the air's in-scattered light and extinction
+    int samples = 32;                ///< march samples for each pixel, 4 to 1024
+    bool shafts = true;              ///< each march sample looks into the shadow cascades
+    bool multiple_scattering = true; ///< light scattered more than once
+    bool march_dither = false;       ///< deterministic offset of the march's samples from pixel to pixel
+    bool sun_disc = true;
+
+    // Shadows
+    bool shadows = true;
+    int cascades = 4;           ///< 1 to 4
+    int cascade_size = 2048;    ///< texels along a side, 256 to 8192
+    double shadow_reach = 1e5;  ///< [m]
+
+    // The picture
+    double exposure = 0.0;      ///< [stops]; displayed = curve(2^exposure * radiance)
+    std::string curve = "filmic"; ///< exponential | filmic
+    bool dither = true;         ///< after the curve, before 8 bits
+    int aa = 1;                 ///< supersampling: 1, 4 or 16
+    std::string post_aa = "none"; ///< none | fxaa
+    std::string show;           ///< name of a frame image to show in place of the result
+
+    // Scenes
+    int largest_texture = 4096; ///< [texels] larger pictures are scaled down at import
+
+    bool operator==(Settings const&) const = default;
+};
+
+/// Where a setting lives in `Settings`.
+using SettingMember =
+    std::variant<bool Settings::*, int Settings::*, double Settings::*, std::string Settings::*>;
+
+struct SettingInfo {
+    std::string_view name;
+    SettingMember member;
+    double smallest = -std::numeric_limits<double>::infinity();
+    double largest = std::numeric_limits<double>::infinity();
+    std::string_view choices; ///< "a|b|c" for a text or for an int that takes only these values; empty: anything
+    std::string_view unit;
+    std::string_view help;
+};
+
+std::span<SettingInfo const> setting_table();
+/// nullptr where there is none of that name.
+SettingInfo const* find_setting(std::string_view name);
+/// From the command line: `value` as text ("on", "off", "true", "false" for switches). Throws Error(wrong_use).
+void set_setting(Settings& settings, std::string_view name, std::string_view value);
+/// The value as text, as set_setting takes it.
+std::string setting_text(Settings const& settings, SettingInfo const& info);
+
+} // namespace alpenglow

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "scene/scene.h"
+
+#include <filesystem>
+
+namespace alpenglow {
+
+struct GltfOptions {
+    int largest_texture = 4096; ///< [texels] larger pictures are halved until they fit, with a warning
+};
+
+/// Reads a .gltf or .glb file (by content, not by name). Bytes are checked before and after the parser; warnings go to
+/// the log. Throws Error(bad_input) with the file, the JSON pointer and the reason.
+Scene load_gltf(std::filesystem::path const& file, GltfOptions const& options = {});
+
+/// Bends a scene made for a flat map plane to a planet: a vertex at horizontal distance d from the origin goes to the
+/// same arc length and altitude over the sphere whose top the origin touches. Each instance gets its own bent mesh.
+void curve_to_planet(Scene& scene, double planet_radius, double scale);
+
+} // namespace alpenglow

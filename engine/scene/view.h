@@ -1,0 +1,79 @@
+#pragma once
+
+#include "core/settings.h"
+#include "scene/camera.h"
+#include "scene/planet.h"
+#include "scene/scene.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace alpenglow {
+
+/// A camera as people say it; angles in radians here, in degrees in files.
+struct CameraPlace {
+    Geodetic place;
+    double heading = 0, pitch = 0, roll = 0;
+    double vertical_fov = 1.0471975512;
+};
+
+Camera camera_at(CameraPlace const& place, double planet_radius);
+
+/// The sun as given in a file: a direction in the local frame of the scene's anchor (of the camera's ground point where
+/// there is no scene), or a moment in UTC.
+struct SunPlace {
+    double elevation = 0.5, azimuth = 3.14159265; ///< [rad]
+    std::optional<std::string> utc;               ///< ISO 8601; decides where given
+};
+
+/// Unit vector to the sun in the world frame. A UTC time goes through ERFA: apparent place, Earth's rotation; no refraction.
+glm::dvec3 sun_direction(SunPlace const& sun, double latitude, double longitude);
+
+/// What a view file says (assets/view.schema.json).
+struct View {
+    std::string name;                     ///< the file's stem
+    std::string planet = "earth";         ///< name in assets/planets, or a path
+    std::string scene;                    ///< path, "default" for the generated terrain, empty for none
+    std::optional<Placement> placement;   ///< default: the scene's own
+    CameraPlace camera;
+    SunPlace sun;
+    Settings settings;
+};
+
+/// Throws Error(bad_input) that names the file and the key: unknown keys, wrong types, impossible values.
+View load_view(std::filesystem::path const& file);
+/// Text that load_view reads back as the same view, to the last digit that matters.
+std::string view_text(View const& view);
+
+/// A view with everything looked up: what the renderer draws.
+struct World {
+    Planet planet;
+    Camera camera;
+    glm::dvec3 to_sun{0, 0, 1};           ///< unit, world
+};
+
+/// Throws Error(bad_input) where the camera is inside the planet.
+World make_world(View const& view, Planet const& planet);
+
+/// A list of timed views over one planet and scene (assets/flight.schema.json), with interpolation that is smooth over seven
+/// orders of magnitude of altitude: log-altitude, great circles, quaternion headings; monotone cubics in time.
+struct Flight {
+    std::string name;
+    View base;                            ///< planet, scene, placement, settings
+    struct Key {
+        double time = 0;                  ///< [s]
+        CameraPlace camera;
+        SunPlace sun;
+        double exposure = 0;              ///< [stops]
+    };
+    std::vector<Key> keys;                ///< at least two, times increasing
+
+    double duration() const { return keys.back().time; }
+    View at(double time) const;
+};
+
+Flight load_flight(std::filesystem::path const& file);
+
+} // namespace alpenglow

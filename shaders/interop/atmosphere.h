@@ -1,0 +1,34 @@
+// The medium, as shaders and their C++ compile see it. Scalar layout. SI units.
+#ifndef ALPENGLOW_INTEROP_ATMOSPHERE_H
+#define ALPENGLOW_INTEROP_ATMOSPHERE_H
+#include "interop/language.h"
+SHADER_NAMESPACE_BEGIN
+
+struct Atmosphere {
+    float ground_radius;         // [m] reference radius, "sea level"
+    float top_altitude;          // [m] above it; no air beyond
+    vec3 rayleigh_scattering;    // [1/m] at sea level; Rayleigh absorbs nothing
+    float rayleigh_scale_height; // [m]
+    vec3 aerosol_scattering;     // [1/m] at sea level
+    float aerosol_scale_height;  // [m]
+    vec3 aerosol_extinction;     // [1/m] at sea level
+    float aerosol_g;             // asymmetry of the Cornette-Shanks phase
+    vec3 ozone_absorption;       // [1/m] at the tent's peak
+    float ozone_centre;          // [m] altitude of the peak
+    float ozone_half_width;      // [m]
+    vec3 ground_albedo;          // mean, for light that the ground gives back to the air
+    vec3 solar_irradiance;       // relative, above the air
+    float sun_angular_radius;    // [rad]
+};
+CHECK_SIZE(Atmosphere, 104);
+
+SHADER_NAMESPACE_END
+
+// Shapes of the tables, in texels.
+#define TRANSMITTANCE_WIDTH 512  // cosine of the zenith angle, dense at the horizon
+#define TRANSMITTANCE_HEIGHT 128 // altitude
+#define MULTIPLE_SCATTERING_SIZE 32 // sun zenith x altitude
+#define SKY_IRRADIANCE_WIDTH 64  // sun zenith
+#define SKY_IRRADIANCE_HEIGHT 16 // altitude
+
+#endif
