@@ -1,0 +1,39 @@
+#include "core/progress.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace alpenglow {
+
+Progress::Progress(std::string title, std::size_t steps)
+    : title_(std::move(title)), steps_(std::max<std::size_t>(steps, 1)), terminal_(::isatty(STDERR_FILENO) == 1) {}
+
+Progress::~Progress() {
+    if (open_line_) std::fputc('\n', stderr);
+}
+
+void Progress::update(std::size_t done, std::string const& note) {
+    Clock::time_point const now = Clock::now();
+    auto const shortest = terminal_ ? std::chrono::milliseconds(50) : std::chrono::milliseconds(5000);
+    bool const last = done >= steps_;
+    if (!last && printed_ != Clock::time_point{} && now - printed_ < shortest) return;
+    printed_ = now;
+
+    double const fraction = std::min(1.0, static_cast<double>(done) / static_cast<double>(steps_));
+    double const elapsed = std::chrono::duration<double>(now - start_).count();
+    std::string const eta = last ? fmt::format("done in {:.1f} s", elapsed)
+                          : fraction > 0 ? fmt::format("{:.0f} s left", elapsed * (1 - fraction) / fraction)
+                                         : std::string("…");
+    constexpr int width = 24;
+    int const filled = static_cast<int>(fraction * width);
+    std::string const line = fmt::format("{} [{:#<{}}{:.<{}}] {:3.0f} % {} {}", title_, "", filled, "", width - filled,
+                                         100 * fraction, eta, last ? "" : note);
+    std::fputs(terminal_ ? fmt::format("\r{:<100}", line).c_str() : (line + "\n").c_str(), stderr);
+    std::fflush(stderr);
+    open_line_ = terminal_ && !last;
+    if (terminal_ && last) std::fputc('\n', stderr);
+}
+
+} // namespace alpenglow

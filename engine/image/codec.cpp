@@ -1,0 +1,106 @@
+#include "image/codec.h"
+
+#include "core/error.h"
+#include "core/files.h"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <memory>
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wall"
+#pragma GCC diagnostic ignored "-Wextra"
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wshadow"
+#pragma GCC diagnostic ignored "-Wpedantic"
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_ONLY_PNG
+#define STBI_ONLY_JPEG
+#define STBI_NO_STDIO
+#define STBI_MAX_DIMENSIONS 32768
+#include <stb/stb_image.h>
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#define STB_IMAGE_WRITE_STATIC
+#define STBI_WRITE_NO_STDIO
+#include <stb/stb_image_write.h>
+#pragma GCC diagnostic pop
+
+namespace alpenglow {
+
+namespace {
+
+stbi_uc const* data_of(std::span<std::byte const> bytes) { return reinterpret_cast<stbi_uc const*>(bytes.data()); }
+
+int length_of(std::span<std::byte const> bytes) {
+    if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
+        throw Error(ErrorKind::bad_input, "picture of more than 2 GiB");
+    }
+    return static_cast<int>(bytes.size());
+}
+
+[[noreturn]] void fail() {
+    char const* const reason = stbi_failure_reason();
+    throw Error(ErrorKind::bad_input, std::string("picture can't be decoded: ") + (reason ? reason : "unknown format"));
+}
+
+void append(void* context, void* data, int size) {
+    auto& bytes = *static_cast<std::vector<std::byte>*>(context);
+    auto const* const first = static_cast<std::byte const*>(data);
+    bytes.insert(bytes.end(), first, first + size);
+}
+
+} // namespace
+
+std::vector<std::byte> encode_png(ByteImage const& image) {
+    bool opaque = true;
+    for (std::size_t i = 3; i < image.rgba.size() && opaque; i += 4) opaque = image.rgba[i] == 255;
+    std::vector<std::uint8_t> rgb;
+    if (opaque) {
+        rgb.resize(image.extent.pixels() * 3);
+        for (std::size_t i = 0; i < image.extent.pixels(); ++i) std::memcpy(&rgb[i * 3], &image.rgba[i * 4], 3);
+    }
+    int const channels = opaque ? 3 : 4;
+    std::vector<std::byte> bytes;
+    stbi_write_png_compression_level = 5;
+    int const width = static_cast<int>(image.extent.width);
+    if (!stbi_write_png_to_func(append, &bytes, width, static_cast<int>(image.extent.height), channels,
+                                opaque ? rgb.data() : image.rgba.data(), width * channels)) {
+        throw Error(ErrorKind::bad_input, "picture can't be encoded");
+    }
+    return bytes;
+}
+
+void write_png(std::filesystem::path const& path, ByteImage const& image) { write_file(path, encode_png(image)); }
+
+PictureHeader read_picture_header(std::span<std::byte const> bytes) {
+    int width = 0, height = 0, channels = 0;
+    if (!stbi_info_from_memory(data_of(bytes), length_of(bytes), &width, &height, &channels)) fail();
+    PictureHeader header;
+    header.extent = {static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
+    header.channels = channels;
+    header.bits = stbi_is_16_bit_from_memory(data_of(bytes), length_of(bytes)) ? 16 : 8;
+    return header;
+}
+
+ByteImage decode_picture(std::span<std::byte const> bytes) {
+    int width = 0, height = 0, channels = 0;
+    std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> const pixels(
+        stbi_load_from_memory(data_of(bytes), length_of(bytes), &width, &height, &channels, 4), stbi_image_free);
+    if (!pixels) fail();
+    ByteImage image({static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)});
+    std::copy_n(pixels.get(), image.rgba.size(), image.rgba.data());
+    return image;
+}
+
+ByteImage read_picture(std::filesystem::path const& path) {
+    try {
+        return decode_picture(read_file(path));
+    } catch (Error const& error) {
+        if (std::string_view(error.what()).starts_with(path.string())) throw;
+        throw Error(error.kind(), error.what(), path.string());
+    }
+}
+
+} // namespace alpenglow

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "image/image.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <vector>
+
+namespace alpenglow {
+
+/// PNG, 8 bits RGBA (RGB where every alpha is 255), lossless.
+std::vector<std::byte> encode_png(ByteImage const& image);
+void write_png(std::filesystem::path const& path, ByteImage const& image);
+
+/// What a PNG's or JPEG's header says, without decoding. Throws Error(bad_input) where it is neither.
+struct PictureHeader {
+    Extent extent;
+    int channels = 0;
+    int bits = 8;
+};
+PictureHeader read_picture_header(std::span<std::byte const> bytes);
+
+/// Decodes a PNG or JPEG to 8-bit RGBA as stored (no colour conversion). Throws Error(bad_input).
+ByteImage decode_picture(std::span<std::byte const> bytes);
+ByteImage read_picture(std::filesystem::path const& path);
+
+} // namespace alpenglow
