@@ -1,0 +1,61 @@
+#pragma once
+
+#include "gpu/buffer.h"
+#include "render/frame_graph.h"
+
+#include <memory>
+
+namespace alpenglow {
+
+struct PassTime {
+    std::string name;
+    double gpu_ms = 0;
+    double cpu_ms = 0; ///< recording its commands
+};
+
+/// What a submit waits for and signals when a window is behind it.
+struct PresentSync {
+    VkSemaphore acquired = VK_NULL_HANDLE; ///< the swapchain image may be written
+    VkSemaphore finished = VK_NULL_HANDLE; ///< the picture may be shown
+};
+
+/// Runs frame graphs on a device: derives descriptors, group counts, barriers, labels and timings from the declarations.
+/// Keeps transient images, pipelines and samplers from frame to frame. Frames in flight have their own copies of what the
+/// CPU writes.
+class Executor {
+public:
+    explicit Executor(Device const& device, std::uint32_t frames_in_flight = 1);
+    ~Executor();
+
+    void submit(FrameGraph const& graph, PresentSync const& sync = {});
+    /// Waits for all frames. Throws Error(device) where the device fails or stops answering.
+    void wait();
+    /// Timings of the newest frame that is finished, in order; passes of one name are added up.
+    std::vector<PassTime> const& timings() const { return timings_; }
+    /// A transient image of the last submitted graph; nullptr where there is none of that name.
+    GpuImage* transient(std::string const& name);
+
+private:
+    struct InFlight;
+    struct Recording;
+    InFlight& next_slot();
+    void collect(InFlight& slot);
+    void upload_constants(InFlight& slot, FrameGraph const& graph);
+    std::vector<GpuImage*> resolve_images(FrameGraph const& graph);
+    void record_barriers_of(Recording& recording, std::vector<PlannedBarrier> const& barriers);
+    void record(Recording& recording, ComputePass const& pass);
+    void record(Recording& recording, RasterPass const& pass);
+    void push_slots(Recording& recording, VkPipelineBindPoint point, VkPipelineLayout layout, std::vector<Slot> const& slots);
+    void submit_commands(InFlight& slot, PresentSync const& sync);
+
+    class Draw;
+    Device const& device_;
+    PipelineCache pipelines_;
+    SamplerCache samplers_;
+    std::vector<std::unique_ptr<InFlight>> slots_;
+    std::size_t next_ = 0;
+    std::map<std::string, std::unique_ptr<GpuImage>> transients_;
+    std::vector<PassTime> timings_;
+};
+
+} // namespace alpenglow

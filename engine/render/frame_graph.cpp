@@ -1,0 +1,83 @@
+#include "render/frame_graph.h"
+
+#include <algorithm>
+
+namespace alpenglow {
+
+namespace {
+
+void refuse_repeated_slots(std::string const& pass, std::vector<Slot> const& slots) {
+    for (std::size_t i = 0; i < slots.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            if (slots[i].slot == slots[j].slot) throw GraphError("pass " + pass + " binds slot " + std::to_string(slots[i].slot) + " twice");
+        }
+    }
+}
+
+void add_slot_accesses(std::vector<ImageAccess>& accesses, std::vector<Slot> const& slots) {
+    for (Slot const& slot : slots) {
+        if (slot.type != VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER) accesses.push_back({slot.image, slot.use});
+    }
+}
+
+PlannedPass planned(std::string const& name, ComputePass const& pass) {
+    PlannedPass result{name, {}};
+    add_slot_accesses(result.accesses, pass.slots);
+    return result;
+}
+
+PlannedPass planned(std::string const& name, RasterPass const& pass) {
+    PlannedPass result{name, {}};
+    add_slot_accesses(result.accesses, pass.slots);
+    for (ImageId color : pass.colors) result.accesses.push_back({color, pass.clear_colors ? ImageUse::color_clear : ImageUse::color_update});
+    if (pass.depth) result.accesses.push_back({pass.depth, pass.clear_depth ? ImageUse::depth_clear : ImageUse::depth_update});
+    return result;
+}
+
+} // namespace
+
+ImageId FrameGraph::add_image(std::string name, ImageShape const& shape, ShowScale scale) {
+    if (find(name)) throw GraphError("two images are called " + name);
+    images_.push_back({std::move(name), shape, scale, nullptr, false});
+    return {static_cast<std::uint32_t>(images_.size() - 1)};
+}
+
+ImageId FrameGraph::import(GpuImage& image, std::string name, ShowScale scale, bool has_content) {
+    ImageId const id = add_image(std::move(name), image.shape(), scale);
+    images_.back().imported = &image;
+    images_.back().has_content = has_content;
+    return id;
+}
+
+ConstantsId FrameGraph::add_constant_bytes(std::vector<std::byte> bytes) {
+    constants_.push_back(std::move(bytes));
+    return {static_cast<std::uint32_t>(constants_.size() - 1)};
+}
+
+void FrameGraph::add(ComputePass pass) {
+    refuse_repeated_slots(pass.name, pass.slots);
+    std::string name = pass.name;
+    passes_.push_back({std::move(name), std::move(pass)});
+}
+
+void FrameGraph::add(RasterPass pass) {
+    refuse_repeated_slots(pass.name, pass.slots);
+    std::string name = pass.name;
+    passes_.push_back({std::move(name), std::move(pass)});
+}
+
+ImageId FrameGraph::find(std::string_view name) const {
+    auto const found = std::ranges::find(images_, name, &Image::name);
+    return found == images_.end() ? ImageId{} : ImageId{static_cast<std::uint32_t>(found - images_.begin())};
+}
+
+std::vector<PlannedPass> FrameGraph::planned_passes() const {
+    std::vector<PlannedPass> result;
+    for (Pass const& pass : passes_) {
+        result.push_back(std::visit([&](auto const& work) { return planned(pass.name, work); }, pass.work));
+    }
+    if (presented_) result.push_back({"present", {{presented_, ImageUse::present}}});
+    return result;
+}
+
+} // namespace alpenglow

@@ -1,0 +1,149 @@
+#pragma once
+
+#include "gpu/pipeline.h"
+#include "gpu/samplers.h"
+#include "render/plan.h"
+
+#include <cstddef>
+#include <cstring>
+#include <functional>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+namespace alpenglow {
+
+/// How `--show NAME` maps an image to colours.
+enum class ShowScale {
+    encoded,  ///< display-ready
+    radiance, ///< linear: exposure and curve
+    unit,     ///< 0 to 1
+    normal,   ///< octahedral in the first two channels
+    depth,    ///< reversed, infinite: logarithm of the distance
+    shadow,   ///< 0 to 1, layers side by side
+    optical_depth,
+};
+
+/// Bytes that the CPU writes for a frame, bound as a uniform buffer in scalar layout.
+struct ConstantsId {
+    std::uint32_t index = ~0u;
+};
+
+/// What a pass binds to a slot of set 0. Made by `sampled`, `stored`, `updated` and `constants`.
+struct Slot {
+    std::uint32_t slot = 0;
+    VkDescriptorType type = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+    ImageId image;
+    ImageUse use = ImageUse::sample;
+    SamplerState sampler;
+    ConstantsId constants;
+    bool as_array = false;
+};
+
+inline Slot sampled(std::uint32_t slot, ImageId image, SamplerState const& sampler = LINEAR_CLAMP) {
+    return {slot, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, image, ImageUse::sample, sampler, {}, false};
+}
+/// For a shader's sampler2DArray, whatever the number of layers.
+inline Slot sampled_array(std::uint32_t slot, ImageId image, SamplerState const& sampler = LINEAR_CLAMP) {
+    return {slot, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, image, ImageUse::sample, sampler, {}, true};
+}
+/// Every texel is written.
+inline Slot stored(std::uint32_t slot, ImageId image) {
+    return {slot, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, image, ImageUse::storage_write, {}, {}, false};
+}
+inline Slot updated(std::uint32_t slot, ImageId image) {
+    return {slot, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, image, ImageUse::storage_update, {}, {}, false};
+}
+inline Slot constants(std::uint32_t slot, ConstantsId id) {
+    return {slot, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, {}, ImageUse::sample, {}, id, false};
+}
+
+template <typename T>
+std::vector<std::byte> bytes_of(T const& value) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    std::vector<std::byte> bytes(sizeof(T));
+    std::memcpy(bytes.data(), &value, sizeof(T));
+    return bytes;
+}
+
+struct ComputePass {
+    std::string name;
+    ShaderCode shader;
+    std::vector<Slot> slots;
+    Extent threads;
+    std::vector<std::byte> push = {}; ///< push constants, at most PUSH_CONSTANT_BYTES
+};
+
+/// What a raster pass draws with.
+class DrawContext {
+public:
+    virtual ~DrawContext() = default;
+    virtual VkCommandBuffer commands() const = 0;
+    /// Binds the pipeline, made on first use, with the pass's attachments and slots.
+    virtual void use(RasterState state) = 0;
+    virtual void push(std::span<std::byte const> bytes) = 0;
+    virtual void bind_set1(VkDescriptorSet set) = 0;
+};
+
+struct RasterPass {
+    std::string name;
+    std::vector<ImageId> colors;
+    bool clear_colors = false;           ///< to zero
+    ImageId depth;                       ///< none: no depth test
+    std::optional<float> clear_depth;
+    std::uint32_t depth_layer = 0;
+    std::vector<Slot> slots;
+    std::function<void(DrawContext&)> draw;
+};
+
+/// One frame as a list of passes that run in the order written. Made anew for every frame; owns nothing on the device.
+class FrameGraph {
+public:
+    struct Image {
+        std::string name;
+        ImageShape shape;
+        ShowScale scale;
+        GpuImage* imported = nullptr;
+        bool has_content = false;
+    };
+    struct Pass {
+        std::string name;
+        std::variant<ComputePass, RasterPass> work;
+    };
+
+    /// Lives for this frame.
+    ImageId add_image(std::string name, ImageShape const& shape, ShowScale scale);
+    /// Outlives the frame. `has_content`: somebody filled it before.
+    ImageId import(GpuImage& image, std::string name, ShowScale scale, bool has_content);
+    template <typename T>
+    ConstantsId add_constants(T const& value) { return add_constant_bytes(bytes_of(value)); }
+
+    void add(ComputePass pass);
+    void add(RasterPass pass);
+    /// The last use of the frame: the window shows the image.
+    void present(ImageId image) { presented_ = image; }
+
+    ImageShape const& shape(ImageId image) const { return images_.at(image.index).shape; }
+    /// Nothing where there is no such image.
+    ImageId find(std::string_view name) const;
+
+    std::vector<Image> const& images() const { return images_; }
+    std::vector<Pass> const& passes() const { return passes_; }
+    std::vector<std::vector<std::byte>> const& constant_blocks() const { return constants_; }
+    ImageId presented() const { return presented_; }
+
+    /// The passes as `plan` takes them; the present comes last as a pass of its own.
+    std::vector<PlannedPass> planned_passes() const;
+
+private:
+    ConstantsId add_constant_bytes(std::vector<std::byte> bytes);
+
+    std::vector<Image> images_;
+    std::vector<Pass> passes_;
+    std::vector<std::vector<std::byte>> constants_;
+    ImageId presented_;
+};
+
+} // namespace alpenglow

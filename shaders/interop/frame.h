@@ -1,0 +1,65 @@
+// What every pass of a frame may know. Scalar layout; SI units; vectors in world axes, relative to the camera.
+#ifndef ALPENGLOW_INTEROP_FRAME_H
+#define ALPENGLOW_INTEROP_FRAME_H
+#include "interop/atmosphere.h"
+
+#define MOST_CASCADES 4
+
+// Which matrix a mesh is drawn with: the view's, or that of cascade PROJECTION_CASCADE + i.
+#define PROJECTION_VIEW 0
+#define PROJECTION_CASCADE 1
+
+// Flags
+#define FRAME_AIR 1                 // march the air
+#define FRAME_SHAFTS 2              // march samples look into the cascades
+#define FRAME_SHADOWS 4
+#define FRAME_MULTIPLE_SCATTERING 8
+#define FRAME_MARCH_DITHER 16
+#define FRAME_SUN_DISC 32
+#define FRAME_PROCEDURAL_GROUND 64
+#define FRAME_HAS_AIR 128           // the planet has any
+
+// The fine octaves of the procedural ground repeat after this length, so that a position within it is exact in float.
+#define GROUND_PERIOD 8192.0f // [m]
+
+SHADER_NAMESPACE_BEGIN
+
+// One shadow cascade: a square around a point that the view cares about, in the sun's frame. Cascades are nested.
+struct Cascade {
+    vec2 scale;       // texture coordinates = light.xy * scale + offset [1/m]
+    vec2 offset;
+    float texel;      // [m] width of a texel
+    float slope_bias; // [m] of depth for each unit of slope and texel
+};
+
+struct FrameConstants {
+    Atmosphere atmosphere;
+    mat4 clip_from_relative[5];    // PROJECTION_…: from camera-relative world axes
+    mat3 light_from_world;         // rotation: x, y across the sun's rays, z away from the sun
+    vec2 light_depth;              // cascade depth = light.z * light_depth.x + light_depth.y
+    Cascade cascades[MOST_CASCADES];
+    int cascade_count;
+    float shadow_fade;             // share of the last cascade's half width over which it fades
+    float shadow_ceiling;          // [m] altitude above which no mesh can shade the air
+    vec3 ray_centre;               // direction of a pixel = ray_centre + ndc.x * ray_right + ndc.y * ray_up, not unit
+    vec3 ray_right;
+    vec3 ray_up;
+    float near_plane;              // [m] depth = near_plane / (distance along ray_centre)
+    vec2 inverse_size;             // of the picture [1/pixel]
+    vec2 jitter;                   // of this supersample [ndc]
+    vec3 camera_up;                // unit, from the planet's centre to the camera
+    float camera_altitude;         // [m] above the reference radius
+    vec3 camera_planet;            // camera_position / ground_radius
+    vec3 camera_in_period;         // [m] camera position modulo GROUND_PERIOD
+    vec3 to_sun;                   // unit
+    vec3 ground_tint;              // albedo of a uniform ground
+    float pixel_angle;             // [rad] across one pixel at the picture's centre
+    float exposure;                // factor, 2^stops
+    int flags;
+    int samples;                   // of the march
+    int sample_index;              // which supersample this is
+};
+CHECK_SIZE(FrameConstants, 812);
+
+SHADER_NAMESPACE_END
+#endif

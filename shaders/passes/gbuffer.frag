@@ -1,0 +1,58 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+#include "encoding/octahedral.glsl"
+#include "passes/mesh_material.glsl"
+
+layout(location = 0) in vec3 relative;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec4 tangent;
+layout(location = 3) in vec4 uv;
+layout(location = 4) in vec4 color;
+
+layout(location = GBUFFER_ALBEDO_TARGET) out vec4 out_albedo;
+layout(location = GBUFFER_NORMAL_TARGET) out vec4 out_normal;
+layout(location = GBUFFER_MATERIAL_TARGET) out vec2 out_material;
+layout(location = GBUFFER_EMISSION_TARGET) out vec3 out_emission;
+
+// Tangent and bitangent from how position and texture coordinates change across the screen
+// (Schueler 2013, "Followup: Normal Mapping Without Precomputed Tangents"). The bitangent points to decreasing v, up in the
+// picture, as glTF wants it; the sign of the screen's handedness is taken out.
+mat3 frame_from_derivatives(vec3 n, vec2 coordinates) {
+    vec3 dx = dFdx(relative), dy = dFdy(relative);
+    vec2 du = dFdx(coordinates), dv = dFdy(coordinates);
+    float handed = dot(cross(dx, dy), n) >= 0.0 ? 1.0 : -1.0;
+    vec3 across_y = cross(dy, n), across_x = cross(n, dx);
+    vec3 t = (across_y * du.x + across_x * dv.x) * handed;
+    vec3 b = (across_y * du.y + across_x * dv.y) * -handed;
+    float scale = inversesqrt(max(max(dot(t, t), dot(b, b)), 1e-30));
+    return mat3(t * scale, b * scale, n);
+}
+
+mat3 frame_from_tangent(vec3 n) {
+    vec3 t = normalize(tangent.xyz - n * dot(n, tangent.xyz));
+    return mat3(t, cross(n, t) * sign(tangent.w), n);
+}
+
+vec3 mapped_normal(vec3 n) {
+    vec2 coordinates = uv_of(MATERIAL_NORMAL_SLOT, uv);
+    vec3 texel = texture(normal_texture, coordinates).xyz * 2.0 - 1.0;
+    texel.xy *= material.normal_scale;
+    mat3 world_from_texel = abs(tangent.w) > 0.5 ? frame_from_tangent(n) : frame_from_derivatives(n, coordinates);
+    return normalize(world_from_texel * texel);
+}
+
+void main() {
+    vec4 base = base_color_at(uv, color);
+    if (cut_out(base.a)) discard;
+    // World axes seen from the front; the back of a double-sided surface turns its normal round.
+    vec3 facing = normalize(normal) * (gl_FrontFacing ? 1.0 : -1.0);
+    vec3 shading = (material.flags & MATERIAL_NORMAL_MAP) != 0 ? mapped_normal(facing) : facing;
+    vec2 metal_rough = texture(metallic_roughness_texture, uv_of(MATERIAL_METALLIC_ROUGHNESS_SLOT, uv)).bg;
+    float occlusion = mix(1.0, texture(occlusion_texture, uv_of(MATERIAL_OCCLUSION_SLOT, uv)).r, material.occlusion_strength);
+
+    out_albedo = vec4(base.rgb, occlusion);
+    out_normal = vec4(octahedral_from_unit(shading), octahedral_from_unit(facing));
+    out_material = vec2(metal_rough.y * material.roughness, metal_rough.x * material.metallic);
+    out_emission = material.emission * texture(emission_texture, uv_of(MATERIAL_EMISSION_SLOT, uv)).rgb;
+}

@@ -1,0 +1,22 @@
+// Set 1 of mesh draws: the material's constants and textures.
+#ifndef ALPENGLOW_PASSES_MESH_MATERIAL
+#define ALPENGLOW_PASSES_MESH_MATERIAL
+#include "interop/gbuffer.h"
+
+layout(set = 1, binding = MATERIAL_CONSTANTS_SLOT, scalar) uniform MaterialBlock { MaterialConstants material; };
+layout(set = 1, binding = MATERIAL_BASE_COLOR_SLOT) uniform sampler2D base_color_texture;
+layout(set = 1, binding = MATERIAL_METALLIC_ROUGHNESS_SLOT) uniform sampler2D metallic_roughness_texture;
+layout(set = 1, binding = MATERIAL_NORMAL_SLOT) uniform sampler2D normal_texture;
+layout(set = 1, binding = MATERIAL_OCCLUSION_SLOT) uniform sampler2D occlusion_texture;
+layout(set = 1, binding = MATERIAL_EMISSION_SLOT) uniform sampler2D emission_texture;
+
+// The UV set that texture `slot` uses.
+vec2 uv_of(int slot, vec4 uv) { return ((material.uv_sets >> (slot - MATERIAL_BASE_COLOR_SLOT)) & 1) != 0 ? uv.zw : uv.xy; }
+
+vec4 base_color_at(vec4 uv, vec4 vertex_color) {
+    return material.base_color * vertex_color * texture(base_color_texture, uv_of(MATERIAL_BASE_COLOR_SLOT, uv));
+}
+
+bool cut_out(float alpha) { return (material.flags & MATERIAL_ALPHA_MASK) != 0 && alpha < material.alpha_cutoff; }
+
+#endif
