@@ -1,0 +1,36 @@
+// Constants, and the few functions that GLSL lacks.
+#ifndef ALPENGLOW_ATMOSPHERE_MATH_GLSL
+#define ALPENGLOW_ATMOSPHERE_MATH_GLSL
+#include "interop/language.h"
+SHADER_NAMESPACE_BEGIN
+
+CONSTANT float PI = 3.14159265358979f;
+CONSTANT float GOLDEN_ANGLE = 2.39996322972865f; // [rad]
+CONSTANT float TINY = 1e-30f;                    // keeps 0/0 at 0 and log(0) finite
+
+// (1 - exp(-x)) / x, for x >= 0: the mean transmittance inside a homogeneous layer of optical depth x. 1 at x = 0.
+// Series below 1/8, where the difference would cancel; relative error 3e-7 in float.
+INLINE float mean_transmittance(float x) {
+    float series = 1.0f - x * (1.0f / 2.0f) * (1.0f - x * (1.0f / 3.0f) * (1.0f - x * (1.0f / 4.0f) * (1.0f - x * 0.2f)));
+    return x < 0.125f ? series : (1.0f - exp(-x)) / max(x, 0.125f);
+}
+
+INLINE vec3 mean_transmittance3(vec3 x) {
+    return vec3(mean_transmittance(x.x), mean_transmittance(x.y), mean_transmittance(x.z));
+}
+
+// 1 - exp(-x) for x >= 0, accurate in its last digits when x is small.
+INLINE float one_minus_exp(float x) { return x * mean_transmittance(x); }
+
+// -log(1 - x) for 0 <= x < 1, accurate when x is small; series below 1/16.
+INLINE float minus_log_one_minus(float x) {
+    float series = x * (1.0f + x * (0.5f + x * (1.0f / 3.0f + x * (0.25f + x * (0.2f + x * (1.0f / 6.0f))))));
+    return x < 0.0625f ? series : -log(1.0f - x);
+}
+
+// Texture coordinate of x in [0, 1] on an axis of `size` texels whose first and last centres hold 0 and 1; and back.
+INLINE float uv_from_unit(float x, int size) { return (0.5f + x * float(size - 1)) / float(size); }
+INLINE float unit_from_uv(float uv, int size) { return (uv * float(size) - 0.5f) / float(size - 1); }
+
+SHADER_NAMESPACE_END
+#endif

@@ -1,0 +1,31 @@
+// Light gathered along a ray, cell by cell from the camera on, each cell homogeneous and integrated exactly.
+#ifndef ALPENGLOW_ATMOSPHERE_SEGMENT_INTEGRAL_GLSL
+#define ALPENGLOW_ATMOSPHERE_SEGMENT_INTEGRAL_GLSL
+#include "atmosphere/math.glsl"
+SHADER_NAMESPACE_BEGIN
+
+struct AirLight {
+    vec3 inscattered;   // radiance, in the unit of the sources times a metre
+    vec3 transmittance; // from the camera to the end of the last cell
+};
+
+INLINE AirLight no_air_light() { return AirLight(vec3(0.0f), vec3(1.0f)); }
+
+// The integral of source · exp(-extinction s) over 0 <= s <= length [m]: source (1 - exp(-extinction length)) / extinction.
+INLINE vec3 integrate_segment(vec3 source, vec3 extinction, float segment_length) {
+    return source * mean_transmittance3(extinction * segment_length) * segment_length;
+}
+
+// Adds the next cell: its source [radiance/m] and extinction [1/m] as in its middle, its length [m].
+INLINE void add_cell(INOUT(AirLight) light, vec3 source, vec3 extinction, float segment_length) {
+    light.inscattered += light.transmittance * integrate_segment(source, extinction, segment_length);
+    light.transmittance *= exp(-extinction * segment_length);
+}
+
+// What the camera sees of a surface behind the air.
+INLINE vec3 behind_air(AirLight light, vec3 surface_radiance) {
+    return surface_radiance * light.transmittance + light.inscattered;
+}
+
+SHADER_NAMESPACE_END
+#endif

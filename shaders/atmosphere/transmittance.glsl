@@ -1,0 +1,108 @@
+// Optical depth from a point to the top of the air, its table, and what is read from it.
+// Table: TRANSMITTANCE_WIDTH x TRANSMITTANCE_HEIGHT, rgb = optical depth; x the distance to the top of the air between
+// its smallest and largest value at that altitude, y the distance to the horizon (Bruneton and Neyret 2008, as told by
+// Sakmary in 3.1.1, with the square root that his figures leave out). Only directions above the horizon are stored.
+#ifndef ALPENGLOW_ATMOSPHERE_TRANSMITTANCE_GLSL
+#define ALPENGLOW_ATMOSPHERE_TRANSMITTANCE_GLSL
+#include "atmosphere/density.glsl"
+#include "atmosphere/march_samples.glsl"
+SHADER_NAMESPACE_BEGIN
+
+// Three Gauss-Legendre nodes in each cell: with the table's own interpolation 1.1 % at most where T > 1e-4.
+CONSTANT int OPTICAL_DEPTH_CELLS = 40;
+
+// Altitude [m] is clamped to the air, mu to the horizon.
+INLINE vec2 transmittance_uv_from_altitude_mu(Atmosphere atmosphere, float altitude, float mu) {
+    float h = clamp(altitude, 0.0f, atmosphere.top_altitude);
+    float radius = atmosphere.ground_radius;
+    float rho = sqrt(power_from_altitude(radius, h));
+    float rho_top = sqrt(power_from_altitude(radius, atmosphere.top_altitude));
+    AirRay ray = make_air_ray(radius, h, max(mu, horizon_mu(radius, h)), 0.0f, 0.0f);
+    float nearest = atmosphere.top_altitude - h;
+    float farthest = rho + rho_top;
+    float x = (distance_out_of(ray, atmosphere.top_altitude) - nearest) / (farthest - nearest);
+    return vec2(uv_from_unit(clamp(x, 0.0f, 1.0f), TRANSMITTANCE_WIDTH), uv_from_unit(rho / rho_top, TRANSMITTANCE_HEIGHT));
+}
+
+// x = altitude [m], y = mu.
+INLINE vec2 transmittance_altitude_mu_from_uv(Atmosphere atmosphere, vec2 uv) {
+    float radius = atmosphere.ground_radius;
+    float rho_top = sqrt(power_from_altitude(radius, atmosphere.top_altitude));
+    float rho = rho_top * clamp(unit_from_uv(uv.y, TRANSMITTANCE_HEIGHT), 0.0f, 1.0f);
+    float h = min(altitude_from_power(radius, rho * rho), atmosphere.top_altitude);
+    float nearest = atmosphere.top_altitude - h;
+    float x = clamp(unit_from_uv(uv.x, TRANSMITTANCE_WIDTH), 0.0f, 1.0f);
+    float to_top = mix(nearest, rho + rho_top, x);
+    float power = nearest * (2.0f * radius + atmosphere.top_altitude + h);
+    float mu = (power - to_top * to_top) / max(2.0f * (radius + h) * to_top, TINY);
+    return vec2(h, to_top > 0.0f ? clamp(mu, -1.0f, 1.0f) : 1.0f);
+}
+
+// Optical depth between two distances [m] of a ray inside the air.
+INLINE vec3 compute_optical_depth(Atmosphere atmosphere, AirRay ray, float begin, float end) {
+    MarchCells cells = make_march_cells(atmosphere, ray, begin, end);
+    vec3 depth = vec3(0.0f);
+    float from = begin;
+    for (int i = 1; i <= OPTICAL_DEPTH_CELLS; ++i) {
+        float to = march_distance(cells, float(i) / float(OPTICAL_DEPTH_CELLS));
+        float middle = 0.5f * (from + to);
+        float offset = 0.774596669f * 0.5f * (to - from);
+        vec3 outer = medium_at(atmosphere, altitude_at(ray, middle - offset)).extinction +
+                     medium_at(atmosphere, altitude_at(ray, middle + offset)).extinction;
+        vec3 inner = medium_at(atmosphere, altitude_at(ray, middle)).extinction;
+        depth += (outer * vec3(5.0f / 18.0f) + inner * vec3(8.0f / 18.0f)) * (to - from);
+        from = to;
+    }
+    return depth;
+}
+
+// From altitude h [m] in the direction mu to the top of the air, as if there were no ground.
+INLINE vec3 compute_optical_depth_to_top(Atmosphere atmosphere, float h, float mu) {
+    AirRay ray = make_air_ray(atmosphere.ground_radius, h, mu, 0.0f, 0.0f);
+    return compute_optical_depth(atmosphere, ray, 0.0f, max(distance_out_of(ray, atmosphere.top_altitude), 0.0f));
+}
+
+// From the table; mu below the horizon reads the horizon's value. Above the top of the air: that of the top.
+INLINE vec3 sample_optical_depth(sampler2D table, Atmosphere atmosphere, float h, float mu) {
+    return vec3(sample_bilinear(table, transmittance_uv_from_altitude_mu(atmosphere, h, mu)));
+}
+
+// The share of the sun's disc above the geometric horizon, 0 to 1, from altitude h [m]. The share of a disc above a line
+// x radii below its centre is 1/2 + (x sqrt(1 - x²) + asin x) / pi; the polynomial is within 0.008 of it and has its
+// value and slope at both ends.
+INLINE float sun_above_horizon(Atmosphere atmosphere, float h, float mu_s) {
+    float altitude = max(h, 0.0f);
+    float radius = atmosphere.ground_radius;
+    float elevation = (mu_s - horizon_mu(radius, altitude)) * (radius + altitude) / radius;
+    float x = clamp(elevation / max(atmosphere.sun_angular_radius, 1e-6f), -1.0f, 1.0f);
+    float x2 = x * x;
+    return clamp(0.5f + x * (0.63661977f + x2 * (-0.02323954f - 0.11338023f * x2)), 0.0f, 1.0f);
+}
+
+// The share of the sun's light above the air that reaches a point at altitude h [m]: air, and the planet's own shadow.
+INLINE vec3 sample_sun_transmittance(sampler2D table, Atmosphere atmosphere, float h, float mu_s) {
+    return exp(-sample_optical_depth(table, atmosphere, h, mu_s)) * sun_above_horizon(atmosphere, h, mu_s);
+}
+
+struct SegmentTransmittance {
+    vec3 transmittance;
+    float trust; // 1: as good as the table; 0: the difference of two large depths, take the march's own sum
+};
+
+// The table's error, relative to an optical depth, over half of what a transmittance may be off (0.5 %).
+CONSTANT float SEGMENT_TRUST_DEPTH = 2.0f;
+
+// Transmittance between two points of one ray, both inside the air, from the table: the depth from the lower point
+// through the higher one to the top, less the depth beyond. `lower` and `higher` are taken along the ray as it leads
+// upwards from one to the other. Bruneton and Neyret 2008, section 4, without their switch at the horizon.
+INLINE SegmentTransmittance sample_segment_transmittance(sampler2D table, Atmosphere atmosphere, AirPoint from, AirPoint to) {
+    bool up = to.altitude >= from.altitude;
+    vec3 whole = sample_optical_depth(table, atmosphere, up ? from.altitude : to.altitude, up ? from.mu : -to.mu);
+    vec3 beyond = sample_optical_depth(table, atmosphere, up ? to.altitude : from.altitude, up ? to.mu : -from.mu);
+    float largest = max(max(whole.x, whole.y), whole.z);
+    float trust = 1.0f - smoothstep(0.5f * SEGMENT_TRUST_DEPTH, SEGMENT_TRUST_DEPTH, largest);
+    return SegmentTransmittance(exp(-max(whole - beyond, vec3(0.0f))), trust);
+}
+
+SHADER_NAMESPACE_END
+#endif

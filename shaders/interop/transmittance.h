@@ -1,0 +1,9 @@
+// Pass `transmittance`: the table of optical depth to the top of the air, whenever the air changes. A thread a texel.
+#ifndef ALPENGLOW_INTEROP_TRANSMITTANCE_H
+#define ALPENGLOW_INTEROP_TRANSMITTANCE_H
+#include "interop/frame.h"
+
+#define TRANSMITTANCE_FRAME_SLOT 0 // uniform buffer: FrameConstants
+#define TRANSMITTANCE_TABLE_SLOT 1 // out, rgba32f, TRANSMITTANCE_WIDTH x TRANSMITTANCE_HEIGHT: rgb = optical depth
+
+#endif
