@@ -26,10 +26,9 @@ SHADER_NAMESPACE_BEGIN
 
 // One shadow cascade: a square around a point that the view cares about, in the sun's frame. Cascades are nested.
 struct Cascade {
-    vec2 scale;       // texture coordinates = light.xy * scale + offset [1/m]
+    vec2 scale;   // texture coordinates = light.xy * scale + offset [1/m]
     vec2 offset;
-    float texel;      // [m] width of a texel
-    float slope_bias; // [m] of depth for each unit of slope and texel
+    float texel;  // [m] width of a texel
 };
 
 struct FrameConstants {
@@ -59,7 +58,7 @@ struct FrameConstants {
     int samples;                   // of the march
     int sample_index;              // which supersample this is
 };
-CHECK_SIZE(FrameConstants, 812);
+CHECK_SIZE(FrameConstants, 796);
 
 SHADER_NAMESPACE_END
 #endif

@@ -3,9 +3,6 @@
 #ifndef ALPENGLOW_INTEROP_LANGUAGE_H
 #define ALPENGLOW_INTEROP_LANGUAGE_H
 
-// Threads along each side of a compute pass's workgroup.
-#define WORKGROUP_SIZE 8
-
 #ifdef __cplusplus
 #include <glm/glm.hpp>
 #define INLINE inline

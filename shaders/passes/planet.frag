@@ -23,8 +23,9 @@ void main() {
     vec3 direction = along / stretch;
     float mu = dot(direction, frame.camera_up);
     float radius = frame.atmosphere.ground_radius;
-    float distance = distance_to_ground(radius, frame.camera_altitude, mu);
-    if (distance < 0.0) discard;
+    AirRay ray = make_air_ray(radius, frame.camera_altitude, mu, 0.0, 0.0);
+    if (!ray_hits_ground(ray)) discard;
+    float distance = distance_into(ray, 0.0);
 
     vec3 unit = normalize(frame.camera_planet + direction * (distance / radius));
     float facing = max(dot(unit, -direction), 0.02);

@@ -12,7 +12,7 @@ layout(binding = SHOW_PICTURE_SLOT, rgba8) uniform writeonly image2D picture;
 layout(push_constant, scalar) uniform Push { ShowPush push; };
 
 // The order of render/frame_graph.h: ShowScale.
-const int ENCODED = 0, RADIANCE = 1, UNIT = 2, NORMAL = 3, DEPTH = 4, SHADOW = 5, OPTICAL_DEPTH = 6;
+const int ENCODED = 0, RADIANCE = 1, UNIT = 2, NORMAL = 3, DEPTH = 4, SHADOW = 5, OPTICAL_DEPTH = 6, LOGARITHM = 7;
 
 // Dark blue to yellow with even steps of lightness: a fit by eye of the viridis scale.
 vec3 scale_color(float x) {
@@ -33,7 +33,8 @@ vec3 encoded(vec4 texel) {
     case NORMAL: return unit_from_octahedral(texel.xy) * 0.5 + 0.5;
     case DEPTH: return texel.r > 0.0 ? scale_color((decades + 1.0) / 9.0) : vec3(0.0);
     case SHADOW: return vec3(texel.r);
-    default: return exp(-texel.rgb);
+    case OPTICAL_DEPTH: return srgb_from_linear3(exp(-texel.rgb));
+    default: return clamp(texel.rgb / 13.8 + 1.0, 0.0, 1.0);
     }
 }
 

@@ -1,0 +1,36 @@
+#include "render/frame.h"
+
+#include "render/passes/accumulate.h"
+#include "render/passes/air_tables.h"
+#include "render/passes/display.h"
+#include "render/passes/gbuffer.h"
+#include "render/passes/lighting.h"
+#include "render/passes/post_aa.h"
+#include "render/passes/show.h"
+#include "render/passes/sun_shadow.h"
+
+namespace alpenglow {
+
+void build_frame(FrameGraph& graph, FrameInputs const& in) {
+    ImageId const mean = graph.import(in.mean, "radiance", ShowScale::radiance, false);
+    ImageId const picture = graph.import(in.picture, "picture", ShowScale::encoded, false);
+    ConstantsId frame = graph.add_constants(in.constants.front());
+
+    AirTables const air = add_air_tables(graph, in, frame);
+    SunShadow const shadow = add_sun_shadow(graph, in, frame);
+    for (int sample = 0; sample < in.settings.aa; ++sample) {
+        if (sample > 0) frame = graph.add_constants(in.constants[static_cast<std::size_t>(sample)]);
+        GBuffer const gbuffer = add_gbuffer(graph, in, frame, sample);
+        ImageId const lit = add_lighting(graph, in, frame, gbuffer, shadow, air, sample);
+        add_accumulate(graph, lit, mean, sample, in.settings.aa);
+    }
+    if (!in.settings.show.empty()) {
+        add_show(graph, in.settings, picture);
+    } else if (in.settings.post_aa == "fxaa") {
+        add_post_aa(graph, add_display(graph, mean, in.settings), picture);
+    } else {
+        add_display_to(graph, mean, in.settings, picture);
+    }
+}
+
+} // namespace alpenglow

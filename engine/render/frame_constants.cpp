@@ -1,0 +1,137 @@
+#include "render/frame_constants.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace alpenglow {
+
+namespace {
+
+/// Van der Corput's radical inverse.
+double radical_inverse(int index, int base) {
+    double result = 0, digit = 1.0 / base;
+    for (; index > 0; index /= base, digit /= base) result += digit * (index % base);
+    return result;
+}
+
+glm::mat4 view_clip(Camera const& camera, Extent extent, glm::dvec2 const& jitter) {
+    double const scale = 1.0 / std::tan(0.5 * camera.vertical_fov);
+    double const aspect = static_cast<double>(extent.width) / extent.height;
+    glm::dmat4 clip(0.0);
+    clip[0][0] = scale / aspect;
+    clip[1][1] = -scale;
+    clip[2] = glm::dvec4(-jitter, 0.0, -1.0);
+    clip[3][2] = NEAR_PLANE;
+    return glm::mat4(clip * glm::dmat4(glm::transpose(camera.world_from_camera)));
+}
+
+glm::mat4 cascade_clip(ShadowFit const& fit, CascadeFit const& cascade, glm::dvec3 const& camera_in_light) {
+    double const scale = 1.0 / cascade.half_width;
+    double const depth = 1.0 / (fit.farthest - fit.nearest);
+    glm::dmat4 clip(1.0);
+    clip[0][0] = clip[1][1] = scale;
+    clip[2][2] = depth;
+    clip[3] = glm::dvec4((glm::dvec2(camera_in_light) - cascade.centre) * scale, (camera_in_light.z - fit.nearest) * depth, 1.0);
+    return glm::mat4(clip * glm::dmat4(fit.light_from_world));
+}
+
+void set_cascades(shader::FrameConstants& frame, ShadowFit const& fit, glm::dvec3 const& camera) {
+    glm::dvec3 const in_light = fit.light_from_world * camera;
+    frame.light_from_world = glm::mat3(fit.light_from_world);
+    frame.cascade_count = static_cast<int>(fit.cascades.size());
+    frame.shadow_fade = 0.08f;
+    double const depth = fit.cascades.empty() ? 1.0 : 1.0 / (fit.farthest - fit.nearest);
+    frame.light_depth = glm::vec2(depth, (in_light.z - fit.nearest) * depth);
+    for (std::size_t i = 0; i < fit.cascades.size(); ++i) {
+        CascadeFit const& cascade = fit.cascades[i];
+        frame.clip_from_relative[PROJECTION_CASCADE + i] = cascade_clip(fit, cascade, in_light);
+        double const scale = 0.5 / cascade.half_width;
+        frame.cascades[i].scale = glm::vec2(scale);
+        frame.cascades[i].offset = glm::vec2((glm::dvec2(in_light) - cascade.centre) * scale + 0.5);
+        frame.cascades[i].texel = static_cast<float>(cascade.texel);
+    }
+}
+
+int flags_of(World const& world, Settings const& settings, bool cascades) {
+    int flags = 0;
+    auto const set = [&](bool on, int flag) { flags |= on ? flag : 0; };
+    set(world.planet.has_air, FRAME_HAS_AIR);
+    set(world.planet.has_air && settings.air, FRAME_AIR);
+    set(settings.shafts && cascades, FRAME_SHAFTS);
+    set(settings.shadows && cascades, FRAME_SHADOWS);
+    set(settings.multiple_scattering, FRAME_MULTIPLE_SCATTERING);
+    set(settings.march_dither, FRAME_MARCH_DITHER);
+    set(settings.sun_disc, FRAME_SUN_DISC);
+    set(world.planet.look == GroundLook::procedural, FRAME_PROCEDURAL_GROUND);
+    return flags;
+}
+
+/// Above this nothing can be shaded by a mesh as high as `ceiling`: higher than the meshes where the sun stands below the
+/// horizon, because its rays come up from under the level.
+double shadow_ceiling(World const& world, double ceiling) {
+    double const sine = std::min(glm::dot(glm::normalize(world.camera.position), world.to_sun), 0.0);
+    double const radius = world.planet.radius;
+    return (radius + ceiling) / std::sqrt(1.0 - sine * sine) - radius + 10.0;
+}
+
+} // namespace
+
+glm::dvec2 supersample_offset(int index, int count) {
+    if (count == 1) return {0, 0};
+    return {radical_inverse(index + 1, 2) - 0.5, radical_inverse(index + 1, 3) - 0.5};
+}
+
+shader::Atmosphere atmosphere_of(Planet const& planet) {
+    Air const& air = planet.air;
+    shader::Atmosphere a{};
+    a.ground_radius = static_cast<float>(planet.radius);
+    a.top_altitude = static_cast<float>(air.top_altitude);
+    a.rayleigh_scattering = glm::vec3(air.rayleigh.scattering);
+    a.rayleigh_scale_height = static_cast<float>(air.rayleigh.scale_height);
+    a.aerosol_scattering = glm::vec3(air.aerosol.scattering);
+    a.aerosol_scale_height = static_cast<float>(air.aerosol.scale_height);
+    a.aerosol_extinction = glm::vec3(air.aerosol.extinction);
+    a.aerosol_g = static_cast<float>(air.aerosol_g);
+    a.ozone_absorption = glm::vec3(air.ozone_absorption);
+    a.ozone_centre = static_cast<float>(air.ozone_centre);
+    a.ozone_half_width = static_cast<float>(air.ozone_half_width);
+    a.ground_albedo = glm::vec3(planet.ground_albedo);
+    a.solar_irradiance = glm::vec3(planet.solar_irradiance);
+    a.sun_angular_radius = static_cast<float>(planet.sun_angular_radius);
+    return a;
+}
+
+shader::FrameConstants make_frame_constants(World const& world, Settings const& settings, Extent extent, ShadowFit const& shadow,
+                                            double ceiling, int sample_index) {
+    Camera const& camera = world.camera;
+    shader::FrameConstants frame{};
+    frame.atmosphere = atmosphere_of(world.planet);
+    glm::dvec2 const size(extent.width, extent.height);
+    glm::dvec2 const jitter = 2.0 * supersample_offset(sample_index, settings.aa) / size;
+    frame.clip_from_relative[PROJECTION_VIEW] = view_clip(camera, extent, jitter);
+    set_cascades(frame, shadow, camera.position);
+    frame.shadow_ceiling = static_cast<float>(shadow_ceiling(world, ceiling));
+
+    double const ty = std::tan(0.5 * camera.vertical_fov), tx = ty * size.x / size.y;
+    frame.ray_centre = glm::vec3(camera.forward());
+    frame.ray_right = glm::vec3(camera.world_from_camera[0] * tx);
+    frame.ray_up = glm::vec3(camera.world_from_camera[1] * -ty);
+    frame.near_plane = static_cast<float>(NEAR_PLANE);
+    frame.inverse_size = glm::vec2(1.0 / size);
+    frame.jitter = glm::vec2(jitter);
+    double const distance = glm::length(camera.position);
+    frame.camera_up = glm::vec3(camera.position / distance);
+    frame.camera_altitude = static_cast<float>(distance - world.planet.radius);
+    frame.camera_planet = glm::vec3(camera.position / world.planet.radius);
+    frame.camera_in_period = glm::vec3(glm::mod(camera.position, glm::dvec3(GROUND_PERIOD)));
+    frame.to_sun = glm::vec3(world.to_sun);
+    frame.ground_tint = glm::vec3(world.planet.ground_albedo);
+    frame.pixel_angle = static_cast<float>(2.0 * ty / size.y);
+    frame.exposure = static_cast<float>(std::exp2(settings.exposure));
+    frame.flags = flags_of(world, settings, !shadow.cascades.empty());
+    frame.samples = settings.samples;
+    frame.sample_index = sample_index;
+    return frame;
+}
+
+} // namespace alpenglow

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "core/extent.h"
+#include "core/settings.h"
+#include "interop/frame.h"
+#include "render/cascades.h"
+#include "scene/view.h"
+
+namespace alpenglow {
+
+constexpr double NEAR_PLANE = 0.1; // [m]
+
+/// The supersamples of one pixel: offsets in pixels from its centre, the first of one is the centre itself.
+glm::dvec2 supersample_offset(int index, int count);
+
+shader::Atmosphere atmosphere_of(Planet const& planet);
+
+/// Everything the shaders know of a frame. `ceiling` [m]: the highest place of any mesh above the planet's radius.
+shader::FrameConstants make_frame_constants(World const& world, Settings const& settings, Extent extent, ShadowFit const& shadow,
+                                            double ceiling, int sample_index);
+
+} // namespace alpenglow

@@ -1,0 +1,160 @@
+#include "render/material_sets.h"
+
+#include "gpu/transfer.h"
+#include "interop/gbuffer.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+namespace alpenglow {
+
+namespace {
+
+/// The textures of a material in the order of their slots.
+std::array<Texture const*, MATERIAL_TEXTURES> textures_of(Material const& material) {
+    return {&material.base_color_texture, &material.metallic_roughness_texture, &material.normal_texture,
+            &material.occlusion_texture, &material.emission_texture};
+}
+
+constexpr bool is_color(int slot) { return slot == MATERIAL_BASE_COLOR_SLOT || slot == MATERIAL_EMISSION_SLOT; }
+
+shader::MaterialConstants constants_of(Material const& material) {
+    shader::MaterialConstants constants{};
+    constants.base_color = material.base_color;
+    constants.emission = material.emission;
+    constants.metallic = material.metallic;
+    constants.roughness = material.roughness;
+    constants.normal_scale = material.normal_scale;
+    constants.occlusion_strength = material.occlusion_strength;
+    constants.alpha_cutoff = material.alpha_cutoff;
+    constants.flags = (material.alpha_mask ? MATERIAL_ALPHA_MASK : 0) | (material.double_sided ? MATERIAL_DOUBLE_SIDED : 0) |
+                      (material.normal_texture ? MATERIAL_NORMAL_MAP : 0);
+    auto const textures = textures_of(material);
+    for (std::size_t i = 0; i < textures.size(); ++i) constants.uv_sets |= textures[i]->uv_set << i;
+    return constants;
+}
+
+VkSamplerAddressMode address_mode(TextureWrap wrap) {
+    switch (wrap) {
+    case TextureWrap::mirror: return VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT;
+    case TextureWrap::clamp: return VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+    default: return VK_SAMPLER_ADDRESS_MODE_REPEAT;
+    }
+}
+
+SamplerState sampler_state(Texture const& texture) {
+    auto const filter = [](TextureFilter f) { return f == TextureFilter::linear ? VK_FILTER_LINEAR : VK_FILTER_NEAREST; };
+    SamplerState state{filter(texture.magnify), filter(texture.minify)};
+    state.use_mips = texture.mipmaps;
+    state.u = address_mode(texture.wrap_u);
+    state.v = address_mode(texture.wrap_v);
+    return state;
+}
+
+std::unique_ptr<GpuImage> make_picture(Device const& device, Extent extent, bool srgb, std::span<std::uint8_t const> rgba, std::string const& name) {
+    ImageShape const shape{srgb ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM, extent, 1, full_mip_count(extent)};
+    auto image = std::make_unique<GpuImage>(device, shape, VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT, name);
+    upload(device, *image, std::as_bytes(rgba));
+    return image;
+}
+
+} // namespace
+
+MaterialSets::MaterialSets(Device const& device, Scene const& scene) : device_(device), samplers_(device) {
+    constexpr std::array<std::uint8_t, 4> white = {255, 255, 255, 255};
+    white_ = make_picture(device, {1, 1}, false, white, "white");
+    make_layout();
+    make_pool(static_cast<std::uint32_t>(scene.materials.size()));
+    upload_constants(scene);
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) write_set(scene, i);
+}
+
+MaterialSets::~MaterialSets() {
+    vkDestroyDescriptorPool(device_.handle(), pool_, nullptr);
+    vkDestroyDescriptorSetLayout(device_.handle(), layout_, nullptr);
+}
+
+void MaterialSets::make_layout() {
+    std::vector<VkDescriptorSetLayoutBinding> bindings;
+    bindings.push_back({MATERIAL_CONSTANTS_SLOT, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, VK_SHADER_STAGE_FRAGMENT_BIT, nullptr});
+    for (std::uint32_t i = 0; i < MATERIAL_TEXTURES; ++i) {
+        bindings.push_back({MATERIAL_BASE_COLOR_SLOT + i, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1, VK_SHADER_STAGE_FRAGMENT_BIT, nullptr});
+    }
+    VkDescriptorSetLayoutCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
+    info.bindingCount = static_cast<std::uint32_t>(bindings.size());
+    info.pBindings = bindings.data();
+    check(vkCreateDescriptorSetLayout(device_.handle(), &info, nullptr, &layout_), "making the materials' layout");
+}
+
+void MaterialSets::make_pool(std::uint32_t materials) {
+    std::uint32_t const sets = std::max(materials, 1u);
+    std::array const sizes = {VkDescriptorPoolSize{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, sets},
+                              VkDescriptorPoolSize{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, sets * MATERIAL_TEXTURES}};
+    VkDescriptorPoolCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
+    info.maxSets = sets;
+    info.poolSizeCount = static_cast<std::uint32_t>(sizes.size());
+    info.pPoolSizes = sizes.data();
+    check(vkCreateDescriptorPool(device_.handle(), &info, nullptr, &pool_), "making the materials' pool");
+}
+
+void MaterialSets::upload_constants(Scene const& scene) {
+    VkDeviceSize const alignment = std::max<VkDeviceSize>(device_.limits().minUniformBufferOffsetAlignment, 16);
+    stride_ = (sizeof(shader::MaterialConstants) + alignment - 1) / alignment * alignment;
+    VkDeviceSize const bytes = stride_ * std::max<std::size_t>(scene.materials.size(), 1);
+    constants_ = std::make_unique<GpuBuffer>(device_, bytes, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, BufferHome::host, "materials");
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+        shader::MaterialConstants const constants = constants_of(scene.materials[i]);
+        std::memcpy(constants_->mapped().data() + i * stride_, &constants, sizeof constants);
+    }
+}
+
+GpuImage& MaterialSets::picture(Scene const& scene, std::uint32_t index, bool srgb) {
+    std::unique_ptr<GpuImage>& image = pictures_[{index, srgb}];
+    Picture const& source = scene.pictures[index];
+    if (!image) image = make_picture(device_, {source.width, source.height}, srgb, source.rgba, source.name);
+    return *image;
+}
+
+VkDescriptorImageInfo MaterialSets::texture(Scene const& scene, Texture const& texture, bool srgb) {
+    GpuImage const& image = texture ? picture(scene, texture.picture, srgb) : *white_;
+    return {samplers_.get(texture ? sampler_state(texture) : LINEAR_CLAMP), image.view(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+}
+
+void MaterialSets::write_set(Scene const& scene, std::size_t index) {
+    Material const& material = scene.materials[index];
+    Entry& entry = entries_.emplace_back();
+    entry.double_sided = material.double_sided;
+    entry.masked = material.alpha_mask;
+    VkDescriptorSetAllocateInfo allocate{};
+    allocate.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO;
+    allocate.descriptorPool = pool_;
+    allocate.descriptorSetCount = 1;
+    allocate.pSetLayouts = &layout_;
+    check(vkAllocateDescriptorSets(device_.handle(), &allocate, &entry.set), "making a material");
+
+    VkDescriptorBufferInfo const buffer{constants_->handle(), index * stride_, sizeof(shader::MaterialConstants)};
+    std::array<VkDescriptorImageInfo, MATERIAL_TEXTURES> images{};
+    std::vector<VkWriteDescriptorSet> writes;
+    VkWriteDescriptorSet write{};
+    write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
+    write.dstSet = entry.set;
+    write.descriptorCount = 1;
+    write.dstBinding = MATERIAL_CONSTANTS_SLOT;
+    write.descriptorType = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+    write.pBufferInfo = &buffer;
+    writes.push_back(write);
+    auto const textures = textures_of(material);
+    for (std::uint32_t i = 0; i < MATERIAL_TEXTURES; ++i) {
+        images[i] = texture(scene, *textures[i], is_color(static_cast<int>(MATERIAL_BASE_COLOR_SLOT + i)));
+        write.dstBinding = MATERIAL_BASE_COLOR_SLOT + i;
+        write.descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+        write.pImageInfo = &images[i];
+        writes.push_back(write);
+    }
+    vkUpdateDescriptorSets(device_.handle(), static_cast<std::uint32_t>(writes.size()), writes.data(), 0, nullptr);
+}
+
+} // namespace alpenglow

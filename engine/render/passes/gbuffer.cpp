@@ -1,0 +1,65 @@
+#include "render/passes/gbuffer.h"
+
+#include "embedded_shaders.h"
+#include "interop/gbuffer.h"
+
+namespace alpenglow {
+
+namespace {
+
+GBuffer make_images(FrameGraph& graph, Extent extent) {
+    return {graph.add_image("albedo", {VK_FORMAT_R8G8B8A8_SRGB, extent}, ShowScale::unit),
+            graph.add_image("normal", {VK_FORMAT_R16G16B16A16_SNORM, extent}, ShowScale::normal),
+            graph.add_image("material", {VK_FORMAT_R8G8_UNORM, extent}, ShowScale::unit),
+            graph.add_image("emission", {VK_FORMAT_B10G11R11_UFLOAT_PACK32, extent}, ShowScale::radiance),
+            graph.add_image("depth", {VK_FORMAT_D32_SFLOAT, extent}, ShowScale::depth)};
+}
+
+GBuffer find_images(FrameGraph const& graph) {
+    return {graph.find("albedo"), graph.find("normal"), graph.find("material"), graph.find("emission"), graph.find("depth")};
+}
+
+void draw_scene(DrawContext& context, FrameInputs const& in) {
+    double const aspect = static_cast<double>(in.extent.width) / in.extent.height;
+    std::vector<std::uint32_t> visible;
+    for (std::uint32_t i = 0; i < in.scene->items().size(); ++i) {
+        if (in_view(in.world.camera, aspect, in.scene->items()[i].bounds)) visible.push_back(i);
+    }
+    RasterState state;
+    state.vertex = shaders::mesh_vert;
+    state.fragment = shaders::gbuffer_frag;
+    state.vertices = GpuScene::vertex_layout();
+    state.set1 = in.scene->material_layout();
+    context.use(state);
+    in.scene->draw(context, visible, in.world.camera.position, PROJECTION_VIEW, GpuScene::Which::all, true);
+}
+
+void draw_planet(DrawContext& context) {
+    RasterState state;
+    state.vertex = shaders::fullscreen_vert;
+    state.fragment = shaders::planet_frag;
+    context.use(state);
+    vkCmdSetCullMode(context.commands(), VK_CULL_MODE_NONE);
+    vkCmdDraw(context.commands(), 3, 1, 0, 0);
+}
+
+} // namespace
+
+GBuffer add_gbuffer(FrameGraph& graph, FrameInputs const& in, ConstantsId frame, int sample) {
+    GBuffer const gbuffer = sample == 0 ? make_images(graph, in.extent) : find_images(graph);
+    RasterPass pass;
+    pass.name = "gbuffer";
+    pass.colors = {gbuffer.albedo, gbuffer.normal, gbuffer.material, gbuffer.emission};
+    pass.clear_colors = true;
+    pass.depth = gbuffer.depth;
+    pass.clear_depth = 0.0f;
+    pass.slots = {constants(GBUFFER_FRAME_SLOT, frame)};
+    pass.draw = [&in](DrawContext& context) {
+        if (in.scene) draw_scene(context, in);
+        draw_planet(context);
+    };
+    graph.add(std::move(pass));
+    return gbuffer;
+}
+
+} // namespace alpenglow

@@ -1,0 +1,58 @@
+#include "render/passes/sun_shadow.h"
+
+#include "embedded_shaders.h"
+#include "interop/gbuffer.h"
+
+namespace alpenglow {
+
+namespace {
+
+// Slope bias of the casters [texels of depth for each unit of slope]; the rest is the receivers' normal offset.
+constexpr float CASTER_SLOPE_BIAS = 1.0f;
+
+std::vector<std::uint32_t> casters(FrameInputs const& in, CascadeFit const& cascade) {
+    std::vector<std::uint32_t> result;
+    for (std::uint32_t i = 0; i < in.scene->items().size(); ++i) {
+        if (touches(cascade, in.shadow.light_from_world, in.scene->items()[i].bounds)) result.push_back(i);
+    }
+    return result;
+}
+
+RasterState caster_state(GpuScene const& scene) {
+    RasterState state;
+    state.vertex = shaders::mesh_vert;
+    state.vertices = GpuScene::vertex_layout();
+    state.shadow = true;
+    state.slope_bias = CASTER_SLOPE_BIAS;
+    state.set1 = scene.material_layout();
+    return state;
+}
+
+void draw_casters(DrawContext& context, FrameInputs const& in, std::size_t cascade) {
+    std::vector<std::uint32_t> const items = casters(in, in.shadow.cascades[cascade]);
+    int const projection = PROJECTION_CASCADE + static_cast<int>(cascade);
+    RasterState state = caster_state(*in.scene);
+    context.use(state);
+    in.scene->draw(context, items, in.world.camera.position, projection, GpuScene::Which::opaque, false);
+    if (!in.scene->has_masked()) return;
+    state.fragment = shaders::shadow_mask_frag;
+    context.use(state);
+    in.scene->draw(context, items, in.world.camera.position, projection, GpuScene::Which::masked, false);
+}
+
+} // namespace
+
+SunShadow add_sun_shadow(FrameGraph& graph, FrameInputs const& in, ConstantsId frame) {
+    bool const any = in.scene && !in.shadow.cascades.empty() && (in.settings.shadows || in.settings.shafts);
+    auto const side = any ? static_cast<std::uint32_t>(in.settings.cascade_size) : 1u;
+    auto const layers = any ? static_cast<std::uint32_t>(in.shadow.cascades.size()) : 1u;
+    ImageId const cascades = graph.add_image("shadow", {VK_FORMAT_D32_SFLOAT, {side, side}, layers}, ShowScale::shadow);
+    for (std::uint32_t layer = 0; layer < layers; ++layer) {
+        RasterPass pass{"sun_shadow", {}, false, cascades, 1.0f, layer, {constants(GBUFFER_FRAME_SLOT, frame)}, [](DrawContext&) {}};
+        if (any) pass.draw = [&in, layer](DrawContext& context) { draw_casters(context, in, layer); };
+        graph.add(std::move(pass));
+    }
+    return {cascades};
+}
+
+} // namespace alpenglow

@@ -1,0 +1,27 @@
+// Pass `lighting`: radiance of each pixel. The surface under sun and sky, then the air in front of it.
+#ifndef ALPENGLOW_INTEROP_LIGHTING_H
+#define ALPENGLOW_INTEROP_LIGHTING_H
+#include "interop/frame.h"
+
+#define LIGHTING_FRAME_SLOT 0               // uniform buffer: FrameConstants
+#define LIGHTING_ALBEDO_SLOT 1              // in, the G-buffer: interop/gbuffer.h
+#define LIGHTING_NORMAL_SLOT 2
+#define LIGHTING_MATERIAL_SLOT 3
+#define LIGHTING_EMISSION_SLOT 4
+#define LIGHTING_DEPTH_SLOT 5
+#define LIGHTING_SHADOW_SLOT 6              // in, cascades: depth array with comparison
+#define LIGHTING_TRANSMITTANCE_SLOT 7       // in, table
+#define LIGHTING_MULTIPLE_SCATTERING_SLOT 8 // in, table
+#define LIGHTING_SKY_IRRADIANCE_SLOT 9      // in, table
+#define LIGHTING_LIT_SLOT 10                // out, rgba32f: radiance, relative to the sun's irradiance
+
+// What the shader shows in place of the radiance.
+#define LIGHTING_RESULT 0
+#define LIGHTING_SHOW_CASCADES 1            // which cascade shades what
+
+SHADER_NAMESPACE_BEGIN
+struct LightingPush {
+    int show; // LIGHTING_…
+};
+SHADER_NAMESPACE_END
+#endif

@@ -1,0 +1,112 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+#include "atmosphere/sky_irradiance.glsl"
+#include "encoding/color.glsl"
+#include "encoding/octahedral.glsl"
+#include "interop/lighting.h"
+#include "surface/brdf.glsl"
+
+layout(local_size_x = WORKGROUP_SIZE, local_size_y = WORKGROUP_SIZE) in;
+layout(set = 0, binding = LIGHTING_FRAME_SLOT, scalar) uniform Constants { FrameConstants frame; };
+layout(set = 0, binding = LIGHTING_ALBEDO_SLOT) uniform sampler2D albedo_image;
+layout(set = 0, binding = LIGHTING_NORMAL_SLOT) uniform sampler2D normal_image;
+layout(set = 0, binding = LIGHTING_MATERIAL_SLOT) uniform sampler2D material_image;
+layout(set = 0, binding = LIGHTING_EMISSION_SLOT) uniform sampler2D emission_image;
+layout(set = 0, binding = LIGHTING_DEPTH_SLOT) uniform sampler2D depth_image;
+layout(set = 0, binding = LIGHTING_SHADOW_SLOT) uniform sampler2DArrayShadow shadow_cascades;
+layout(set = 0, binding = LIGHTING_TRANSMITTANCE_SLOT) uniform sampler2D transmittance_table;
+layout(set = 0, binding = LIGHTING_MULTIPLE_SCATTERING_SLOT) uniform sampler2D multiple_scattering_table;
+layout(set = 0, binding = LIGHTING_SKY_IRRADIANCE_SLOT) uniform sampler2D sky_irradiance_table;
+layout(set = 0, binding = LIGHTING_LIT_SLOT, rgba32f) uniform writeonly image2D lit_image;
+layout(push_constant, scalar) uniform Push { LightingPush push; };
+
+#include "passes/air_march.glsl"
+#include "passes/sun_shadow.glsl"
+
+bool has_flag(int flag) { return (frame.flags & flag) != 0; }
+
+// The pixel's ray and what the G-buffer holds at its end.
+struct PixelRay {
+    vec3 direction; // unit, world axes
+    float mu;       // cosine with the zenith at the camera
+    float distance; // to the surface [m]; negative: sky
+};
+
+PixelRay pixel_ray(ivec2 pixel) {
+    vec2 ndc = (vec2(pixel) + 0.5) * frame.inverse_size * 2.0 - 1.0 - frame.jitter;
+    vec3 along = frame.ray_centre + ndc.x * frame.ray_right + ndc.y * frame.ray_up;
+    float stretch = length(along);
+    float depth = texelFetch(depth_image, pixel, 0).r;
+    PixelRay ray;
+    ray.direction = along / stretch;
+    ray.mu = dot(ray.direction, frame.camera_up);
+    ray.distance = depth > 0.0 ? stretch * frame.near_plane / depth : -1.0;
+    return ray;
+}
+
+// Light that leaves a surface towards the camera, for a unit of the sun's irradiance above the air, and the shadow on it.
+vec3 surface_radiance(ivec2 pixel, PixelRay ray, AirPoint place, vec3 light) {
+    vec4 albedo = texelFetch(albedo_image, pixel, 0);
+    vec4 normals = texelFetch(normal_image, pixel, 0);
+    vec2 rough_metal = texelFetch(material_image, pixel, 0).rg;
+    Surface surface = make_surface(albedo.rgb, rough_metal.y, rough_metal.x);
+    vec3 shading = unit_from_octahedral(normals.xy), facing = unit_from_octahedral(normals.zw);
+    vec3 to_camera = -ray.direction;
+
+    vec3 sun = vec3(1.0), sky = vec3(0.0);
+    if (has_flag(FRAME_HAS_AIR)) {
+        sky = sample_sky_irradiance(sky_irradiance_table, frame.atmosphere, place.altitude, place.mu_s);
+        sun = sample_sun_transmittance(transmittance_table, frame.atmosphere, place.altitude, place.mu_s);
+    } else {
+        sun *= sun_above_horizon(frame.atmosphere, place.altitude, place.mu_s);
+    }
+    float visibility = 1.0;
+    if (has_flag(FRAME_SHADOWS)) {
+        visibility = surface_visibility(frame, shadow_cascades, light, frame.light_from_world * facing);
+        visibility *= smoothstep(0.0, 0.05, dot(facing, frame.to_sun)); // what turns away from the sun is in its own shadow
+    }
+    // Up at the surface: the camera's up moved along the ray.
+    vec3 up = normalize(frame.camera_up * (frame.atmosphere.ground_radius + frame.camera_altitude) + ray.direction * ray.distance);
+    vec3 ground = (sky + sun * max(place.mu_s, 0.0)) * frame.atmosphere.ground_albedo;
+    vec3 ambient = sky_irradiance_on_normal(sky, ground, dot(shading, up)) * albedo.a;
+
+    float n_v = clamp(dot(shading, to_camera), 0.0, 1.0);
+    vec3 radiance = reflect_light(surface, shading, to_camera, frame.to_sun) * sun * visibility + reflect_ambient(surface, n_v) * ambient;
+    return radiance * frame.atmosphere.solar_irradiance + texelFetch(emission_image, pixel, 0).rgb;
+}
+
+// The sun's disc, without limb darkening, softened over a pixel; radiance for a unit of irradiance.
+float sun_disc(PixelRay ray) {
+    float angle = length(ray.direction - frame.to_sun); // 2 sin(angle/2): exact enough for a small one
+    float radius = frame.atmosphere.sun_angular_radius;
+    float share = clamp((radius - angle) / frame.pixel_angle + 0.5, 0.0, 1.0);
+    return has_flag(FRAME_SUN_DISC) ? share / (PI * radius * radius) : 0.0;
+}
+
+vec3 cascade_color(int i) {
+    const vec3 COLORS[5] = vec3[](vec3(0.9, 0.25, 0.2), vec3(0.95, 0.75, 0.2), vec3(0.3, 0.75, 0.35), vec3(0.25, 0.45, 0.9), vec3(0.5));
+    return COLORS[i < frame.cascade_count ? i : 4];
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(pixel, imageSize(lit_image)))) return;
+    PixelRay ray = pixel_ray(pixel);
+    bool ground = ray.distance >= 0.0;
+    AirRay from_camera = make_air_ray(frame.atmosphere.ground_radius, frame.camera_altitude, ray.mu,
+                                      dot(frame.camera_up, frame.to_sun), dot(ray.direction, frame.to_sun));
+    vec3 light_direction = frame.light_from_world * ray.direction;
+
+    vec3 radiance = vec3(sun_disc(ray)) * frame.atmosphere.solar_irradiance;
+    if (ground) radiance = surface_radiance(pixel, ray, air_point_at(from_camera, ray.distance), light_direction * ray.distance);
+    if (has_flag(FRAME_AIR)) {
+        AirLight air = march_air(pixel, from_camera, light_direction, ray.distance);
+        radiance = radiance * air.transmittance + air.inscattered * frame.atmosphere.solar_irradiance;
+    }
+    if (push.show == LIGHTING_SHOW_CASCADES && ground) {
+        float grey = dot(radiance, vec3(0.3, 0.6, 0.1));
+        radiance = grey * 2.0 * cascade_color(cascade_of(frame, light_direction.xy * ray.distance, 0.01));
+    }
+    imageStore(lit_image, pixel, vec4(radiance, 1.0));
+}

@@ -1,0 +1,64 @@
+// Lambert and GGX [1/sr] for the metallic-roughness material of glTF 2.0 (specification, appendix B).
+#ifndef ALPENGLOW_SURFACE_BRDF
+#define ALPENGLOW_SURFACE_BRDF
+#include "atmosphere/math.glsl"
+SHADER_NAMESPACE_BEGIN
+
+struct Surface {
+    vec3 diffuse;    // diffuse reflectance, 0 to 1
+    vec3 specular;   // reflectance at normal incidence
+    float alpha;     // GGX width: perceptual roughness squared
+};
+
+CONSTANT float LEAST_ROUGHNESS = 0.045f; // perceptual; narrower lobes alias and overflow
+
+INLINE Surface make_surface(vec3 albedo, float metalness, float roughness) {
+    float rough = max(roughness, LEAST_ROUGHNESS);
+    return Surface(albedo * (1.0f - metalness), mix(vec3(0.04f), albedo, metalness), rough * rough);
+}
+
+// Trowbridge and Reitz 1975 [1/sr]; integrates to 1 over the projected hemisphere of half vectors.
+INLINE float ggx_distribution(float n_h, float alpha) {
+    float a2 = alpha * alpha;
+    float d = (1.0f - n_h * n_h) + n_h * n_h * a2;
+    return a2 / (PI * d * d);
+}
+
+// Height-correlated masking and shadowing over 4 (n.l) (n.v) (Heitz 2014, Eq. 99).
+INLINE float ggx_visibility(float n_l, float n_v, float alpha) {
+    float a2 = alpha * alpha;
+    float l = n_v * sqrt(n_l * n_l * (1.0f - a2) + a2);
+    float v = n_l * sqrt(n_v * n_v * (1.0f - a2) + a2);
+    return 0.5f / max(l + v, 1e-6f);
+}
+
+INLINE vec3 fresnel(vec3 f0, float cosine) {
+    float m = clamp(1.0f - cosine, 0.0f, 1.0f);
+    float m2 = m * m;
+    return f0 + (vec3(1.0f) - f0) * (m2 * m2 * m);
+}
+
+// Reflected radiance for a unit of irradiance across the light's direction [1/sr]. n, v, l are unit vectors away from the surface.
+INLINE vec3 reflect_light(Surface surface, vec3 n, vec3 v, vec3 l) {
+    vec3 h = normalize(v + l);
+    float n_l = max(dot(n, l), 0.0f);
+    float n_v = max(dot(n, v), 1e-4f);
+    float n_h = clamp(dot(n, h), 0.0f, 1.0f);
+    vec3 f = fresnel(surface.specular, max(dot(v, h), 0.0f));
+    vec3 gloss = f * (ggx_distribution(n_h, surface.alpha) * ggx_visibility(n_l, n_v, surface.alpha));
+    return (surface.diffuse * (vec3(1.0f) - f) * (1.0f / PI) + gloss) * n_l;
+}
+
+// Reflected radiance [1/sr] of an even light all round, for a unit of its irradiance. The specular part is the fit of the
+// split-sum integral by Karis ("Physically Based Shading on Mobile", 2014).
+INLINE vec3 reflect_ambient(Surface surface, float n_v) {
+    float roughness = sqrt(surface.alpha);
+    vec4 c0 = vec4(-1.0f, -0.0275f, -0.572f, 0.022f), c1 = vec4(1.0f, 0.0425f, 1.04f, -0.04f);
+    vec4 r = roughness * c0 + c1;
+    float a004 = min(r.x * r.x, exp2(-9.28f * n_v)) * r.x + r.y;
+    vec3 gloss = surface.specular * (-1.04f * a004 + r.z) + vec3(1.04f * a004 + r.w);
+    return (surface.diffuse * (vec3(1.0f) - gloss) + gloss) * (1.0f / PI);
+}
+
+SHADER_NAMESPACE_END
+#endif
