@@ -55,6 +55,11 @@ glm::dvec3 walk_great_circle(glm::dvec3 const& a, glm::dvec3 const& step) {
     return glm::normalize(std::cos(angle) * a + std::sin(angle) / angle * step);
 }
 
+glm::dvec3 carry(glm::dvec3 const& vector, glm::dvec3 const& from, glm::dvec3 const& to) {
+    glm::dvec3 const turn = glm::cross(from, great_circle_step(from, to));
+    return turned(glm::dquat(1, 0, 0, 0), turn) * vector;
+}
+
 glm::dvec3 turn_between(glm::dquat const& a, glm::dquat const& b) {
     glm::dquat turn = b * glm::conjugate(a);
     if (turn.w < 0) turn = -turn;

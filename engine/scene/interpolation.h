@@ -21,6 +21,8 @@ double hermite(double a, double slope_a, double slope_b, double b, double u);
 glm::dvec3 great_circle_step(glm::dvec3 const& a, glm::dvec3 const& b);
 /// The end of that walk; the inverse of great_circle_step.
 glm::dvec3 walk_great_circle(glm::dvec3 const& a, glm::dvec3 const& step);
+/// A vector carried along by the smallest rotation that takes unit vector `from` to `to`.
+glm::dvec3 carry(glm::dvec3 const& vector, glm::dvec3 const& from, glm::dvec3 const& to);
 /// The rotation vector [rad] of the shorter turn from `a` to `b`, in the outer frame: b = turned(a, turn_between(a, b)).
 glm::dvec3 turn_between(glm::dquat const& a, glm::dquat const& b);
 glm::dquat turned(glm::dquat const& a, glm::dvec3 const& turn);

@@ -72,6 +72,7 @@ Planet read_planet(Value const& root) {
     Object const object = root.object({"$schema", "name", "source", "radius", "air", "ground", "sun"});
     Planet planet;
     planet.name = object.at("name").text();
+    object.at("source").text(); // for people; a planet without one is a guess
     planet.radius = object.number(json::RADIUS);
     planet.has_air = object.has("air");
     if (planet.has_air) planet.air = read_air(object.at("air"));
