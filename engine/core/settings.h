@@ -49,16 +49,26 @@ struct SettingInfo {
     SettingMember member;
     double smallest = -std::numeric_limits<double>::infinity();
     double largest = std::numeric_limits<double>::infinity();
-    std::string_view choices; ///< "a|b|c" for a text or for an int that takes only these values; empty: anything
-    std::string_view unit;
-    std::string_view help;
+    std::string_view choices{}; ///< "a|b|c" for a text or for an int that takes only these values; empty: anything
+    std::string_view unit{};
+    std::string_view help{};
 };
+
+/// The value of any setting.
+using SettingValue = std::variant<bool, int, double, std::string>;
 
 std::span<SettingInfo const> setting_table();
 /// nullptr where there is none of that name.
 SettingInfo const* find_setting(std::string_view name);
 /// From the command line: `value` as text ("on", "off", "true", "false" for switches). Throws Error(wrong_use).
 void set_setting(Settings& settings, std::string_view name, std::string_view value);
+/// `value` has the setting's own type and is in its range.
+void set_setting(Settings& settings, SettingInfo const& info, SettingValue const& value);
+/// The values that a setting takes, in words: "on or off", "4 to 1024", "1|4|16".
+std::string range_text(SettingInfo const& info);
+/// Whether a value of the setting's own type is one of those.
+bool in_range(SettingInfo const& info, SettingValue const& value);
+SettingValue get_setting(Settings const& settings, SettingInfo const& info);
 /// The value as text, as set_setting takes it.
 std::string setting_text(Settings const& settings, SettingInfo const& info);
 

@@ -30,6 +30,15 @@ struct SunPlace {
 
 /// Unit vector to the sun in the world frame. A UTC time goes through ERFA: apparent place, Earth's rotation; no refraction.
 glm::dvec3 sun_direction(SunPlace const& sun, double latitude, double longitude);
+/// The same for a time like 2026-06-21T04:30:00Z, 1900 to 2100. Within 0.01 degrees of the almanac: UT1 is taken as UTC
+/// (0.004), the place is seen from Earth's centre (0.0024), polar motion is left out. Throws Error(bad_input).
+glm::dvec3 sun_direction_from_utc(std::string const& utc);
+/// The inverse: elevation and azimuth at a place of a unit direction in the world.
+SunPlace sun_place(glm::dvec3 const& to_sun, double latitude, double longitude);
+
+/// Where a scene without a placement of its own stands. The procedural planet has sea here.
+inline constexpr Geodetic default_anchor{.latitude = 0.80285145591739149 /* 46 N */,
+                                         .longitude = 0.13089969389957473 /* 7.5 E */};
 
 /// What a view file says (assets/view.schema.json).
 struct View {
@@ -46,6 +55,11 @@ struct View {
 View load_view(std::filesystem::path const& file);
 /// Text that load_view reads back as the same view, to the last digit that matters.
 std::string view_text(View const& view);
+
+/// The view's placement, or the default anchor's.
+Placement scene_placement(View const& view);
+/// Where the sun's elevation and azimuth are taken: the scene's anchor, or the camera's ground point where there is no scene.
+Geodetic sun_anchor(View const& view);
 
 /// A view with everything looked up: what the renderer draws.
 struct World {
@@ -68,9 +82,11 @@ struct Flight {
         SunPlace sun;
         double exposure = 0;              ///< [stops]
     };
-    std::vector<Key> keys;                ///< at least two, times increasing
+    std::vector<Key> keys;                ///< at least two, times increasing from 0
+    double ground = 0;                    ///< [m] altitude at which the logarithm of the height starts
 
     double duration() const { return keys.back().time; }
+    /// The view at a time, clamped to the flight. Its sun is the same direction in the world as that of the keys.
     View at(double time) const;
 };
 

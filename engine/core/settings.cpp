@@ -1,0 +1,155 @@
+#include "core/settings.h"
+
+#include "core/error.h"
+#include "core/suggestion.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <fmt/format.h>
+#include <optional>
+#include <vector>
+
+namespace alpenglow {
+
+namespace {
+
+constexpr double NO_LIMIT = std::numeric_limits<double>::infinity();
+
+constexpr std::array TABLE{
+    SettingInfo{.name = "air", .member = &Settings::air, .help = "the air's in-scattered light and extinction"},
+    SettingInfo{.name = "samples", .member = &Settings::samples, .smallest = 4, .largest = 1024,
+                .help = "march samples for each pixel"},
+    SettingInfo{.name = "shafts", .member = &Settings::shafts,
+                .help = "light shafts: each march sample looks into the shadow cascades"},
+    SettingInfo{.name = "multiple_scattering", .member = &Settings::multiple_scattering,
+                .help = "light that the air scatters more than once"},
+    SettingInfo{.name = "march_dither", .member = &Settings::march_dither,
+                .help = "offset the march's samples from pixel to pixel, the same way in every picture"},
+    SettingInfo{.name = "sun_disc", .member = &Settings::sun_disc, .help = "the sun's disc in the sky"},
+    SettingInfo{.name = "shadows", .member = &Settings::shadows, .help = "the sun's shadows on surfaces"},
+    SettingInfo{.name = "cascades", .member = &Settings::cascades, .smallest = 1, .largest = 4,
+                .help = "shadow maps, one beyond the other"},
+    SettingInfo{.name = "cascade_size", .member = &Settings::cascade_size, .smallest = 256, .largest = 8192,
+                .unit = "texels", .help = "side of a shadow map"},
+    SettingInfo{.name = "shadow_reach", .member = &Settings::shadow_reach, .smallest = 1e2, .largest = 1e7,
+                .unit = "m", .help = "distance at which shadows fade out"},
+    SettingInfo{.name = "exposure", .member = &Settings::exposure, .smallest = -32, .largest = 32, .unit = "stops",
+                .help = "displayed = curve(2^exposure * radiance)"},
+    SettingInfo{.name = "curve", .member = &Settings::curve, .choices = "filmic|exponential",
+                .help = "from linear light to the display"},
+    SettingInfo{.name = "dither", .member = &Settings::dither, .help = "dither after the curve, before 8 bits"},
+    SettingInfo{.name = "aa", .member = &Settings::aa, .choices = "1|4|16",
+                .help = "supersampling: rays for each pixel"},
+    SettingInfo{.name = "post_aa", .member = &Settings::post_aa, .choices = "none|fxaa",
+                .help = "antialiasing filter on the finished picture"},
+    SettingInfo{.name = "show", .member = &Settings::show,
+                .help = "name of an image of the frame to show in place of the result; empty: the result"},
+    SettingInfo{.name = "largest_texture", .member = &Settings::largest_texture, .smallest = 16, .largest = 16384,
+                .unit = "texels", .help = "side beyond which a scene's pictures are scaled down at import"},
+};
+
+bool is_choice(std::string_view choices, std::string_view value) {
+    while (!choices.empty()) {
+        std::size_t const bar = std::min(choices.find('|'), choices.size());
+        if (choices.substr(0, bar) == value) return true;
+        choices.remove_prefix(std::min(bar + 1, choices.size()));
+    }
+    return false;
+}
+
+/// The whole text as a number, or nothing.
+template <typename Number> std::optional<Number> parse_number(std::string_view text) {
+    Number number{};
+    auto const [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    return number;
+}
+
+std::optional<bool> parse_switch(std::string_view text) {
+    if (text == "on" || text == "true") return true;
+    if (text == "off" || text == "false") return false;
+    return std::nullopt;
+}
+
+/// The text as the type that `info` has, or nothing.
+std::optional<SettingValue> parse_value(SettingInfo const& info, std::string_view text) {
+    auto const wrap = [](auto const& parsed) { return parsed ? std::optional<SettingValue>(*parsed) : std::nullopt; };
+    switch (info.member.index()) {
+    case 0: return wrap(parse_switch(text));
+    case 1: return wrap(parse_number<int>(text));
+    case 2: return wrap(parse_number<double>(text));
+    default: return SettingValue(std::string(text));
+    }
+}
+
+SettingInfo const& require_setting(std::string_view name) {
+    if (SettingInfo const* const info = find_setting(name)) return *info;
+    std::vector<std::string_view> names;
+    for (SettingInfo const& info : TABLE) names.push_back(info.name);
+    std::string advice = suggestion(name, names);
+    if (advice.empty()) advice = fmt::format("the settings are {}", fmt::join(names, ", "));
+    throw Error(ErrorKind::wrong_use, fmt::format("there is no setting \"{}\"", name), {}, advice);
+}
+
+} // namespace
+
+std::span<SettingInfo const> setting_table() { return TABLE; }
+
+SettingInfo const* find_setting(std::string_view name) {
+    auto const found = std::ranges::find(TABLE, name, &SettingInfo::name);
+    return found == TABLE.end() ? nullptr : &*found;
+}
+
+void set_setting(Settings& settings, std::string_view name, std::string_view text) {
+    SettingInfo const& info = require_setting(name);
+    std::optional<SettingValue> const value = parse_value(info, text);
+    if (!value || !in_range(info, *value)) {
+        throw Error(ErrorKind::wrong_use, fmt::format("\"{}\" is no value for it", text),
+                    fmt::format("setting {}", info.name), "give " + range_text(info));
+    }
+    set_setting(settings, info, *value);
+}
+
+void set_setting(Settings& settings, SettingInfo const& info, SettingValue const& value) {
+    auto const assign = [&](auto member) {
+        auto& field = settings.*member;
+        field = std::get<std::remove_reference_t<decltype(field)>>(value);
+    };
+    std::visit(assign, info.member);
+}
+
+std::string range_text(SettingInfo const& info) {
+    std::string const unit = info.unit.empty() ? "" : fmt::format(" {}", info.unit);
+    if (!info.choices.empty()) return std::string(info.choices);
+    if (std::holds_alternative<bool Settings::*>(info.member)) return "on or off";
+    if (std::holds_alternative<std::string Settings::*>(info.member)) return "a text";
+    if (info.smallest == -NO_LIMIT && info.largest == NO_LIMIT) return "a number" + unit;
+    return fmt::format("{} to {}{}", info.smallest, info.largest, unit);
+}
+
+bool in_range(SettingInfo const& info, SettingValue const& value) {
+    if (auto const* const text = std::get_if<std::string>(&value)) {
+        return info.choices.empty() || is_choice(info.choices, *text);
+    }
+    if (std::holds_alternative<bool>(value)) return true;
+    int const* const whole = std::get_if<int>(&value);
+    if (whole && !info.choices.empty()) return is_choice(info.choices, std::to_string(*whole));
+    double const number = whole ? *whole : std::get<double>(value);
+    return std::isfinite(number) && number >= info.smallest && number <= info.largest;
+}
+
+SettingValue get_setting(Settings const& settings, SettingInfo const& info) {
+    return std::visit([&](auto member) { return SettingValue(settings.*member); }, info.member);
+}
+
+std::string setting_text(Settings const& settings, SettingInfo const& info) {
+    SettingValue const value = get_setting(settings, info);
+    if (bool const* const on = std::get_if<bool>(&value)) return *on ? "on" : "off";
+    if (auto const* const text = std::get_if<std::string>(&value)) return *text;
+    if (int const* const whole = std::get_if<int>(&value)) return fmt::format("{}", *whole);
+    return fmt::format("{}", std::get<double>(value)); // the shortest text that reads back as the same number
+}
+
+} // namespace alpenglow
