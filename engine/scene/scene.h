@@ -109,6 +109,9 @@ struct Placement {
 };
 
 glm::dmat4 world_from_scene(Placement const& placement, double planet_radius);
+/// Triangles that are drawn: those of a mesh count once for each instance.
 std::size_t triangle_count(Scene const& scene);
+/// The box around every instance's part boxes, in the scene frame; it may be larger than the tightest one.
+Box scene_bounds(Scene const& scene);
 
 } // namespace alpenglow

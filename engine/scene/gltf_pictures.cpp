@@ -1,0 +1,81 @@
+#include "scene/gltf_pictures.h"
+
+#include "core/error.h"
+#include "image/codec.h"
+#include "scene/gltf_resources.h"
+
+#include <algorithm>
+#include <array>
+
+namespace alpenglow::gltf {
+
+namespace {
+
+constexpr std::uint32_t largest_side = 16384;
+constexpr std::size_t most_pixels = std::size_t{1} << 27; // half a GiB once decoded
+
+/// The mean of each two by two texels, of the values as stored; a last odd row or column is left out.
+ByteImage halved(ByteImage const& image) {
+    ByteImage half({std::max(image.extent.width / 2, 1u), std::max(image.extent.height / 2, 1u)});
+    std::uint32_t const right = image.extent.width > 1, down = image.extent.height > 1;
+    for (std::uint32_t y = 0; y < half.extent.height; ++y) {
+        for (std::uint32_t x = 0; x < half.extent.width; ++x) {
+            std::uint32_t const u = x * (1 + right), v = y * (1 + down);
+            for (int c = 0; c < 4; ++c) {
+                int const sum = image.at(u, v)[c] + image.at(u + right, v)[c] + image.at(u, v + down)[c] + image.at(u + right, v + down)[c];
+                half.at(x, y)[c] = static_cast<std::uint8_t>((sum + 2) / 4);
+            }
+        }
+    }
+    return half;
+}
+
+ByteImage decode(std::vector<std::byte> const& bytes, std::string const& pointer, Report const& report) {
+    try {
+        Extent const extent = read_picture_header(bytes).extent;
+        if (std::max(extent.width, extent.height) > largest_side || extent.pixels() > most_pixels) {
+            report.fail(pointer, "is a picture of " + std::to_string(extent.width) + " x " + std::to_string(extent.height) +
+                                     ", more than the limit of " + std::to_string(largest_side) + " a side and " +
+                                     std::to_string(most_pixels) + " in all");
+        }
+        return decode_picture(bytes);
+    } catch (Error const& error) {
+        if (std::string_view(error.what()).starts_with(report.file().string())) throw;
+        report.fail(pointer, error.what(), "PNG and JPEG are read");
+    }
+}
+
+Picture load_picture(Document const& document, std::size_t index, int largest, Report& report) {
+    ByteImage image = decode(read_image_bytes(document, index, report), "/images/" + std::to_string(index), report);
+    Extent const stored = image.extent;
+    auto const limit = static_cast<std::uint32_t>(std::max(largest, 1));
+    while (std::max(image.extent.width, image.extent.height) > limit) image = halved(image);
+    if (image.extent != stored) {
+        report.warn("/images/" + std::to_string(index) + " of " + std::to_string(stored.width) + " x " +
+                    std::to_string(stored.height) + " is scaled down to " + std::to_string(image.extent.width) + " x " +
+                    std::to_string(image.extent.height) + " (setting largest_texture)");
+    }
+    return {document.images[index].name, image.extent.width, image.extent.height, std::move(image.rgba)};
+}
+
+} // namespace
+
+std::vector<Picture> load_pictures(Document const& document, std::vector<Material>& materials, int largest, Report& report) {
+    std::vector<Picture> pictures;
+    std::vector<std::uint32_t> numbers(document.images.size(), Texture::none);
+    for (Material& material : materials) {
+        for (Texture* const texture : {&material.base_color_texture, &material.metallic_roughness_texture, &material.normal_texture,
+                                       &material.occlusion_texture, &material.emission_texture}) {
+            if (!*texture) continue;
+            std::uint32_t& number = numbers[texture->picture];
+            if (number == Texture::none) {
+                number = static_cast<std::uint32_t>(pictures.size());
+                pictures.push_back(load_picture(document, texture->picture, largest, report));
+            }
+            texture->picture = number;
+        }
+    }
+    return pictures;
+}
+
+} // namespace alpenglow::gltf

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <string_view>
+
+namespace alpenglow::gltf {
+
+/// Where errors and warnings of one file go. `pointer` is the JSON pointer of the value that is wrong ("/accessors/3/count"),
+/// or empty where the fault is in the file as a whole.
+class Report {
+public:
+    explicit Report(std::filesystem::path file) : file_(std::move(file)) {}
+
+    std::filesystem::path const& file() const { return file_; }
+    /// Throws Error(bad_input).
+    [[noreturn]] void fail(std::string const& pointer, std::string const& reason, std::string const& advice = {}) const;
+    /// Each different line is logged once.
+    void warn(std::string const& line);
+
+private:
+    std::filesystem::path file_;
+    std::set<std::string> warned_;
+};
+
+/// Text from a file, fit for a line: control characters replaced, cut after 80 bytes.
+std::string printable(std::string_view text);
+
+} // namespace alpenglow::gltf
