@@ -127,7 +127,6 @@ shader::FrameConstants make_frame_constants(World const& world, Settings const& 
     frame.to_sun = glm::vec3(world.to_sun);
     frame.ground_tint = glm::vec3(world.planet.ground_albedo);
     frame.pixel_angle = static_cast<float>(2.0 * ty / size.y);
-    frame.exposure = static_cast<float>(std::exp2(settings.exposure));
     frame.flags = flags_of(world, settings, !shadow.cascades.empty());
     frame.samples = settings.samples;
     frame.sample_index = sample_index;

@@ -53,12 +53,11 @@ struct FrameConstants {
     vec3 to_sun;                   // unit
     vec3 ground_tint;              // albedo of a uniform ground
     float pixel_angle;             // [rad] across one pixel at the picture's centre
-    float exposure;                // factor, 2^stops
     int flags;
     int samples;                   // of the march
     int sample_index;              // which supersample this is
 };
-CHECK_SIZE(FrameConstants, 796);
+CHECK_SIZE(FrameConstants, 696);
 
 SHADER_NAMESPACE_END
 #endif

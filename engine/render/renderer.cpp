@@ -1,0 +1,92 @@
+#include "render/renderer.h"
+
+#include "gpu/transfer.h"
+#include "render/frame_constants.h"
+
+#include <cstring>
+
+namespace alpenglow {
+
+namespace {
+
+constexpr VkImageUsageFlags KEPT = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+
+ImageShape table_shape(std::uint32_t width, std::uint32_t height) { return {VK_FORMAT_R32G32B32A32_SFLOAT, {width, height}}; }
+
+std::vector<shader::FrameConstants> supersample_constants(World const& world, Settings const& settings, Extent extent, ShadowFit const& shadow, double ceiling) {
+    std::vector<shader::FrameConstants> result;
+    for (int i = 0; i < settings.aa; ++i) result.push_back(make_frame_constants(world, settings, extent, shadow, ceiling, i));
+    return result;
+}
+
+} // namespace
+
+Renderer::Renderer(Device const& device, std::uint32_t frames_in_flight)
+    : device_(device), executor_(device, frames_in_flight),
+      transmittance_(device, table_shape(TRANSMITTANCE_WIDTH, TRANSMITTANCE_HEIGHT), KEPT, "transmittance"),
+      multiple_scattering_(device, table_shape(MULTIPLE_SCATTERING_SIZE, MULTIPLE_SCATTERING_SIZE), KEPT, "multiple_scattering"),
+      sky_irradiance_(device, table_shape(SKY_IRRADIANCE_WIDTH, SKY_IRRADIANCE_HEIGHT), KEPT, "sky_irradiance") {}
+
+Renderer::~Renderer() { vkDeviceWaitIdle(device_.handle()); }
+
+void Renderer::set_scene(Scene const* scene, Placement const& placement, double planet_radius) {
+    executor_.wait();
+    scene_ = scene ? std::make_unique<GpuScene>(device_, *scene, placement, planet_radius) : nullptr;
+}
+
+void Renderer::size_pictures(Extent extent) {
+    if (picture_ && picture_->shape().extent == extent) return;
+    executor_.wait();
+    mean_ = std::make_unique<GpuImage>(device_, table_shape(extent.width, extent.height), KEPT, "radiance");
+    picture_ = std::make_unique<GpuImage>(device_, ImageShape{VK_FORMAT_R8G8B8A8_UNORM, extent}, KEPT, "picture");
+}
+
+bool Renderer::air_changed(Planet const& planet) {
+    shader::Atmosphere const air = atmosphere_of(planet);
+    if (table_air_ && std::memcmp(&*table_air_, &air, sizeof air) == 0) return false;
+    table_air_ = air;
+    return true;
+}
+
+void Renderer::draw(World const& world, Settings const& settings, Extent extent) { draw(world, settings, extent, {}, {}); }
+
+void Renderer::draw(World const& world, Settings const& settings, Extent extent, Finish const& finish, PresentSync const& sync) {
+    size_pictures(extent);
+    ShadowFit shadow;
+    if (scene_) {
+        ShadowSettings const wanted{settings.cascades, settings.cascade_size, settings.shadow_reach};
+        shadow = fit_cascades({scene_->bounds(), scene_->world_from_scene()}, world.camera, world.to_sun, wanted);
+    }
+    double const ceiling = scene_ ? scene_->highest_altitude() : 0.0;
+    auto const constants = supersample_constants(world, settings, extent, shadow, ceiling);
+    FrameInputs const inputs{world, settings, extent, scene_.get(), shadow, constants, transmittance_, multiple_scattering_, sky_irradiance_,
+                             air_changed(world.planet), *mean_, *picture_};
+    FrameGraph graph;
+    build_frame(graph, inputs);
+    if (finish) finish(graph, graph.find("picture"));
+    executor_.submit(graph, sync);
+}
+
+ByteImage Renderer::picture() {
+    executor_.wait();
+    ByteImage image(picture_->shape().extent);
+    std::vector<std::byte> const bytes = read_back(device_, *picture_);
+    std::memcpy(image.rgba.data(), bytes.data(), bytes.size());
+    return image;
+}
+
+FloatImage Renderer::radiance() {
+    executor_.wait();
+    FloatImage image(mean_->shape().extent);
+    std::vector<std::byte> const bytes = read_back(device_, *mean_);
+    std::memcpy(image.rgba.data(), bytes.data(), bytes.size());
+    return image;
+}
+
+std::vector<std::byte> Renderer::image_bytes(std::string const& name) {
+    executor_.wait();
+    GpuImage* const image = executor_.transient(name);
+    return image ? read_back(device_, *image) : std::vector<std::byte>{};
+}
+
+} // namespace alpenglow

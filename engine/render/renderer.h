@@ -1,0 +1,48 @@
+#pragma once
+
+#include "image/image.h"
+#include "render/executor.h"
+#include "render/frame.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace alpenglow {
+
+/// Draws a world into a picture. Owns what outlives a frame: the tables of the air, the mean, the picture, the scene.
+class Renderer {
+public:
+    explicit Renderer(Device const& device, std::uint32_t frames_in_flight = 1);
+    ~Renderer();
+
+    /// Replaces the scene; nullptr takes it away.
+    void set_scene(Scene const* scene, Placement const& placement, double planet_radius);
+    GpuScene const* scene() const { return scene_.get(); }
+
+    /// Draws and submits a frame; `picture` and `radiance` wait for it. Tables of the air are made anew when the air has changed.
+    void draw(World const& world, Settings const& settings, Extent extent);
+    /// As `draw`, then lets `finish` add passes behind the picture, such as the panel and the swapchain's image.
+    using Finish = std::function<void(FrameGraph&, ImageId picture)>;
+    void draw(World const& world, Settings const& settings, Extent extent, Finish const& finish, PresentSync const& sync);
+    void wait() { executor_.wait(); }
+
+    ByteImage picture();
+    FloatImage radiance();
+    std::vector<PassTime> const& timings() const { return executor_.timings(); }
+    /// Any image of the last frame, as bytes of its format; for tests. Empty where there is none of that name.
+    std::vector<std::byte> image_bytes(std::string const& name);
+
+private:
+    void size_pictures(Extent extent);
+    bool air_changed(Planet const& planet);
+
+    Device const& device_;
+    Executor executor_;
+    std::unique_ptr<GpuScene> scene_;
+    GpuImage transmittance_, multiple_scattering_, sky_irradiance_;
+    std::unique_ptr<GpuImage> mean_, picture_;
+    std::optional<shader::Atmosphere> table_air_; ///< what the tables were made for
+};
+
+} // namespace alpenglow
