@@ -1,0 +1,225 @@
+#include "sandbox/command_line.h"
+
+#include "core/error.h"
+#include "sandbox/arguments.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace alpenglow {
+
+namespace {
+
+using Take = std::function<void(std::string const&)>;
+
+/// An option with one value; what follows it on the command line is that value even where it begins with '-', as -45.5,7 does.
+CLI::Option* add_value(CLI::App& app, std::string const& name, std::string const& value, Take take, std::string const& help) {
+    return app
+        .add_option_function<std::vector<std::string>>(
+            name,
+            [name, take = std::move(take)](std::vector<std::string> const& given) {
+                for (std::string const& text : given) {
+                    if (text.empty() || text.starts_with("--")) throw Error(ErrorKind::wrong_use, name + " needs a value");
+                    take(text);
+                }
+            },
+            help)
+        ->expected(1)
+        ->allow_extra_args(false)
+        ->type_name(value);
+}
+
+void add_size(CLI::App& app, Extent& size) {
+    add_value(app, "--size", "WxH", [&](std::string const& t) { size = parse_size("--size", t); }, "pixels; 1280x720 unless given");
+}
+
+void add_frames(CLI::App& app, int& frames, std::string const& help) {
+    add_value(app, "--frames", "N", [&](std::string const& t) { frames = static_cast<int>(parse_integer("--frames", t, 1, 100'000)); },
+              help);
+}
+
+void add_path(CLI::App& app, std::string const& name, std::string const& value, std::filesystem::path& path, std::string const& help) {
+    add_value(app, name, value, [&](std::string const& t) { path = t; }, help);
+}
+
+void add_views(CLI::App& app, std::vector<std::filesystem::path>& views) {
+    app.add_option_function<std::vector<std::string>>(
+           "views", [&](std::vector<std::string> const& given) { views.assign(given.begin(), given.end()); }, "view files, JSON")
+        ->required()
+        ->type_name("VIEW.json");
+}
+
+void add_placement(CLI::App& app, PlacementOptions& placement) {
+    add_value(app, "--at", "LAT,LON[,ALT]", [&](std::string const& t) { placement.at = parse_place("--at", t); },
+              "where the scene's origin stands [degrees, metres]");
+    add_value(app, "--yaw", "DEGREES", [&](std::string const& t) { placement.yaw = parse_number("--yaw", t, -360, 360) * M_PI / 180; },
+              "turns the scene clockwise seen from above");
+    add_value(app, "--scale", "FACTOR", [&](std::string const& t) { placement.scale = parse_number("--scale", t, 1e-6, 1e6); },
+              "scales the scene");
+    app.add_flag("--curve", placement.curve, "bends a terrain made for a flat map to the planet");
+}
+
+void add_draw_options(CLI::App& app, DrawOptions& options) {
+    add_value(app, "--planet", "P", [&](std::string const& t) { options.planet = t; }, "name in assets/planets, or a file");
+    add_placement(app, options.placement);
+    add_value(app, "--set", "NAME=VALUE", [&](std::string const& t) { options.overrides.push_back(parse_override("--set", t)); },
+              "a setting, in place of the file's; may be repeated")
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    add_value(app, "--show", "NAME", [&](std::string const& t) { options.overrides.push_back({"show", t}); },
+              "an image of the frame in place of the result");
+    add_value(app, "--device", "N", [&](std::string const& t) { options.device = static_cast<int>(parse_integer("--device", t, 0, 63)); },
+              "device by its number in `alpenglow devices`");
+    app.add_flag("--validate", options.validate, "check every Vulkan call; slow");
+}
+
+void add_scene_option(CLI::App& app, std::string const& name, std::optional<std::string>& scene) {
+    add_value(app, name, "SCENE", [&](std::string const& t) { scene = t; }, "glTF file, or 'default' for the generated terrain");
+}
+
+/// The program's arguments, one subcommand for each command, and what they say.
+class Parser {
+public:
+    Parser() : app_("Alpenglow: from a valley floor to orbit over a glTF terrain.", "alpenglow") {
+        app_.set_version_flag("--version", "alpenglow " ALPENGLOW_VERSION);
+        app_.require_subcommand(1);
+        add_fly();
+        add_render();
+        add_terrain();
+        add_bench();
+        app_.add_subcommand("devices", "Lists the Vulkan devices: which is chosen, which refused, and why")
+            ->callback([this] { command_ = DevicesOptions{}; });
+    }
+
+    Command parse(std::vector<std::string> arguments) {
+        require_known_command(arguments);
+        std::reverse(arguments.begin(), arguments.end()); // CLI11 takes them from the back
+        try {
+            app_.parse(std::move(arguments));
+        } catch (CLI::CallForHelp const&) {
+            return TextToPrint{&chosen() == &app_ ? app_.help() : chosen().help("alpenglow")};
+        } catch (CLI::CallForVersion const& version) {
+            return TextToPrint{std::string(version.what()) + "\n"};
+        } catch (CLI::ParseError const& error) {
+            throw Error(ErrorKind::wrong_use, error.what(), {}, "see " + full_name() + " --help");
+        }
+        return command_;
+    }
+
+private:
+    CLI::App& chosen() { return app_.get_subcommands().empty() ? app_ : *app_.get_subcommands().front(); }
+    std::string full_name() { return &chosen() == &app_ ? "alpenglow" : "alpenglow " + chosen().get_name(); }
+
+    void require_known_command(std::vector<std::string> const& arguments) {
+        std::string names;
+        for (CLI::App const* const app : app_.get_subcommands({})) {
+            names += (names.empty() ? "" : ", ") + app->get_name();
+            if (!arguments.empty() && arguments.front() == app->get_name()) return;
+        }
+        std::string const advice = "the commands are " + names + "; see alpenglow --help";
+        if (arguments.empty()) throw Error(ErrorKind::wrong_use, "no command was given", {}, advice);
+        if (!arguments.front().starts_with("-")) {
+            throw Error(ErrorKind::wrong_use, "there is no command '" + arguments.front() + "'", {}, advice);
+        }
+    }
+
+    void add_fly() {
+        CLI::App& app = *app_.add_subcommand("fly", "Flies: in a window where there is a display, else to pictures");
+        add_scene_option(app, "scene", fly_.scene);
+        add_value(app, "--flight", "F.json", [this](std::string const& t) { fly_.flight = t; }, "flight file; the default flight unless given");
+        app.add_flag("--headless", fly_.headless, "to pictures even where there is a display");
+        add_size(app, fly_.size);
+        add_frames(app, fly_.frames, "pictures of a headless flight; 24 unless given");
+        add_path(app, "--out", "DIR", fly_.out, "folder of a headless flight; out/flight unless given");
+        add_draw_options(app, fly_);
+        app.callback([this] { command_ = fly_; });
+    }
+
+    void add_render() {
+        CLI::App& app = *app_.add_subcommand("render", "Renders each view to a picture named after its file");
+        add_views(app, render_.views);
+        add_scene_option(app, "--scene", render_.scene);
+        add_size(app, render_.size);
+        add_path(app, "--out", "DIR", render_.out, "folder; out/render unless given");
+        add_value(app, "--format", "png|exr|png,exr", [this](std::string const& t) { set_formats(parse_formats("--format", t)); },
+                  "png as displayed, exr linear radiance in 32-bit float; png unless given");
+        add_draw_options(app, render_);
+        app.callback([this] { command_ = render_; });
+    }
+
+    void set_formats(PictureFormats formats) { render_.png = formats.png, render_.exr = formats.exr; }
+
+    void add_terrain() {
+        CLI::App& app = *app_.add_subcommand("terrain", "Writes an alpine glTF terrain, the same for the same options");
+        TerrainOptions& t = terrain_.terrain;
+        constexpr long largest_seed = std::numeric_limits<std::uint32_t>::max();
+        add_value(app, "--seed", "N", [&t](std::string const& s) { t.seed = static_cast<std::uint32_t>(parse_integer("--seed", s, 0, largest_seed)); },
+                  "1 unless given");
+        add_value(app, "--side", "KM", [&t](std::string const& s) { t.side_km = parse_number("--side", s, 1, 1000); }, "side in km; 96 unless given");
+        add_value(app, "--resolution", "N", [&t](std::string const& s) { t.resolution = static_cast<int>(parse_integer("--resolution", s, 64, 8192)); },
+                  "cells along a side of the eroded height field; 1024 unless given");
+        add_value(app, "--erosion", "STRENGTH", [&t](std::string const& s) { t.erosion = parse_number("--erosion", s, 0, 4); },
+                  "0 none, 1 alpine; 1 unless given");
+        add_path(app, "--out", "FILE", terrain_.out, ".gltf (with its files beside it) or .glb; out/terrain/terrain.gltf unless given");
+        app.callback([this] { command_ = terrain_; });
+    }
+
+    void add_bench() {
+        CLI::App& app = *app_.add_subcommand("bench", "Measures each pass: medians over some frames");
+        add_views(app, bench_.views);
+        add_scene_option(app, "--scene", bench_.scene);
+        add_size(app, bench_.size);
+        add_frames(app, bench_.frames, "measured frames, after warm-up; 10 unless given");
+        app.add_flag("--json", bench_.json, "prints JSON");
+        add_draw_options(app, bench_);
+        app.callback([this] { command_ = bench_; });
+    }
+
+    CLI::App app_;
+    FlyOptions fly_;
+    RenderOptions render_;
+    TerrainCommandOptions terrain_;
+    BenchOptions bench_;
+    Command command_;
+};
+
+/// `--set a=1 b=2` as `--set a=1 --set b=2`.
+std::vector<std::string> with_repeated_set(std::span<std::string const> arguments) {
+    std::vector<std::string> result;
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        bool const follows_a_setting = result.size() >= 2 && result[result.size() - 2] == "--set";
+        if (follows_a_setting && !arguments[i].starts_with("-") && arguments[i].find('=') != std::string::npos) {
+            result.push_back("--set");
+        }
+        result.push_back(arguments[i]);
+    }
+    return result;
+}
+
+void require_gltf_name(std::filesystem::path const& file) {
+    if (file.extension() == ".gltf" || file.extension() == ".glb") return;
+    throw Error(ErrorKind::wrong_use, "--out '" + file.string() + "' can't be used", {}, "give a file that ends in .gltf or .glb");
+}
+
+} // namespace
+
+void PlacementOptions::apply_to(std::optional<Placement>& placement) const {
+    if (!at && !yaw && !scale && !curve) return;
+    Placement result = placement.value_or(Placement{});
+    result.anchor = at.value_or(result.anchor);
+    result.yaw = yaw.value_or(result.yaw);
+    result.scale = scale.value_or(result.scale);
+    result.curve = result.curve || curve;
+    placement = result;
+}
+
+Command parse_command_line(std::span<std::string const> arguments) {
+    Command const command = Parser().parse(with_repeated_set(arguments));
+    if (auto const* const terrain = std::get_if<TerrainCommandOptions>(&command)) require_gltf_name(terrain->out);
+    return command;
+}
+
+} // namespace alpenglow

@@ -1,0 +1,83 @@
+#pragma once
+
+#include "core/extent.h"
+#include "core/settings.h"
+#include "scene/scene.h"
+#include "terrain/terrain.h"
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace alpenglow {
+
+/// `--set NAME=VALUE`, in the order given; laid over what the view or flight file says.
+struct Override {
+    std::string name, value;
+
+    bool operator==(Override const&) const = default;
+};
+
+/// Throws Error(wrong_use) for a name that does not exist or a value that it does not take.
+void apply_overrides(Settings& settings, std::span<Override const> overrides);
+
+/// What `--at`, `--yaw`, `--scale` and `--curve` say of where the scene stands; each is laid over the file's by itself.
+struct PlacementOptions {
+    std::optional<Geodetic> at;
+    std::optional<double> yaw; ///< [rad] clockwise seen from above
+    std::optional<double> scale;
+    bool curve = false;
+
+    /// Leaves `placement` alone where none of the options was given.
+    void apply_to(std::optional<Placement>& placement) const;
+};
+
+/// The options that every command which draws has.
+struct DrawOptions {
+    std::optional<std::string> scene;  ///< path, "default", or empty text for none
+    std::optional<std::string> planet; ///< name in assets/planets, or a path
+    PlacementOptions placement;
+    std::vector<Override> overrides;
+    std::optional<int> device; ///< index as `devices` prints it
+    bool validate = false;     ///< Vulkan validation; a message fails the command
+};
+
+struct FlyOptions : DrawOptions {
+    std::optional<std::filesystem::path> flight;
+    bool headless = false;
+    Extent size{1280, 720};
+    int frames = 24;
+    std::filesystem::path out = "out/flight";
+};
+
+struct RenderOptions : DrawOptions {
+    std::vector<std::filesystem::path> views; ///< at least one
+    Extent size{1280, 720};
+    std::filesystem::path out = "out/render";
+    bool png = true, exr = false; ///< at least one
+};
+
+struct BenchOptions : DrawOptions {
+    std::vector<std::filesystem::path> views; ///< at least one
+    Extent size{1280, 720};
+    int frames = 10; ///< measured, after warm-up
+    bool json = false;
+};
+
+struct TerrainCommandOptions {
+    TerrainOptions terrain;
+    std::filesystem::path out = "out/terrain/terrain.gltf";
+};
+
+struct DevicesOptions {};
+
+/// Each returns the exit code, and throws Error.
+int fly(FlyOptions const& options);
+int render(RenderOptions const& options);
+int bench(BenchOptions const& options);
+int terrain(TerrainCommandOptions const& options);
+int devices(DevicesOptions const& options);
+
+} // namespace alpenglow

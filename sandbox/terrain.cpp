@@ -1,0 +1,12 @@
+#include "core/log.h"
+#include "sandbox/commands.h"
+
+namespace alpenglow {
+
+int terrain(TerrainCommandOptions const& options) {
+    write_terrain(options.terrain, options.out);
+    log_info("wrote " + options.out.string());
+    return 0;
+}
+
+} // namespace alpenglow
