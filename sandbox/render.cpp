@@ -1,0 +1,34 @@
+#include "core/files.h"
+#include "core/progress.h"
+#include "image/codec.h"
+#include "image/exr.h"
+#include "sandbox/commands.h"
+#include "sandbox/stage.h"
+
+#include <fmt/format.h>
+
+namespace alpenglow {
+
+int render(RenderOptions const& options) {
+    // What is wrong with any view is said before the first is drawn.
+    std::vector<View> views;
+    for (std::filesystem::path const& file : options.views) views.push_back(load_view(file));
+    require_writable_folder(options.out);
+
+    Stage stage(options);
+    Progress progress("rendering", views.size());
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        progress.update(i, views[i].name);
+        View const view = stage.dressed(views[i]);
+        World const world = stage.prepare(view);
+        stage.renderer().draw(world, view.settings, options.size);
+        if (options.png) write_png(options.out / (view.name + ".png"), stage.renderer().picture());
+        if (options.exr) write_exr(options.out / (view.name + ".exr"), stage.renderer().radiance());
+    }
+    progress.update(views.size());
+    stage.require_no_messages();
+    fmt::print("{}\n", options.out.string());
+    return 0;
+}
+
+} // namespace alpenglow

@@ -1,0 +1,70 @@
+#include "sandbox/stage.h"
+
+#include "core/error.h"
+#include "core/log.h"
+#include "scene/gltf.h"
+#include "terrain/terrain.h"
+
+#include <fmt/format.h>
+
+namespace alpenglow {
+
+namespace {
+
+DeviceOptions device_options(DrawOptions const& options, DeviceOptions device) {
+    device.index = options.device;
+    device.validation = options.validate;
+    return device;
+}
+
+std::string scene_key(View const& view, Placement const& placement) {
+    return fmt::format("{} {} {} {} {} {} {} {}", view.scene, placement.anchor.latitude, placement.anchor.longitude, placement.anchor.altitude,
+                       placement.yaw, placement.scale, placement.curve, view.settings.largest_texture);
+}
+
+} // namespace
+
+Stage::Stage(DrawOptions const& options, DeviceOptions device, std::uint32_t frames_in_flight)
+    : options_(options), device_(device_options(options, std::move(device))), renderer_(device_, frames_in_flight) {}
+
+View Stage::dressed(View view) const {
+    if (options_.scene) view.scene = *options_.scene;
+    if (options_.planet) view.planet = *options_.planet;
+    options_.placement.apply_to(view.placement);
+    apply_overrides(view.settings, options_.overrides);
+    return view;
+}
+
+World Stage::prepare(View const& view) {
+    if (planet_name_ != view.planet) {
+        planet_ = load_planet(view.planet);
+        planet_name_ = view.planet;
+        scene_key_.clear();
+    }
+    World const world = make_world(view, planet_);
+    require_scene(view);
+    return world;
+}
+
+void Stage::require_scene(View const& view) {
+    Placement const placement = scene_placement(view);
+    std::string const key = scene_key(view, placement);
+    if (key == scene_key_) return;
+    if (view.scene.empty()) {
+        renderer_.set_scene(nullptr, {}, planet_.radius);
+    } else {
+        std::filesystem::path const file = view.scene == "default" ? default_terrain(planet_.radius) : std::filesystem::path(view.scene);
+        Scene scene = load_gltf(file, {view.settings.largest_texture});
+        if (placement.curve) curve_to_planet(scene, planet_.radius, placement.scale);
+        renderer_.set_scene(&scene, placement, planet_.radius);
+    }
+    scene_key_ = key;
+}
+
+void Stage::require_no_messages() const {
+    if (device_.messages().empty()) return;
+    throw Error(ErrorKind::device, fmt::format("validation said {} things, the first: {}", device_.messages().size(), device_.messages().front()),
+                device_.name());
+}
+
+} // namespace alpenglow
