@@ -32,7 +32,7 @@ struct Settings {
     bool dither = true;         ///< after the curve, before 8 bits
     int aa = 1;                 ///< supersampling: 1, 4 or 16
     std::string post_aa = "none"; ///< none | fxaa
-    std::string show;           ///< name of a frame image to show in place of the result
+    std::string show{};         ///< name of a frame image to show in place of the result
 
     // Scenes
     int largest_texture = 4096; ///< [texels] larger pictures are scaled down at import

@@ -1,6 +1,7 @@
 #include "scene/interpolation.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace alpenglow::interpolation {
 
@@ -43,10 +44,11 @@ double hermite(double a, double slope_a, double slope_b, double b, double u) {
 }
 
 glm::dvec3 great_circle_step(glm::dvec3 const& a, glm::dvec3 const& b) {
-    glm::dvec3 const normal = glm::cross(a, b);
-    double const sine = glm::length(normal), cosine = glm::dot(a, b);
-    if (sine == 0) return cosine > 0 ? glm::dvec3(0) : std::atan2(0.0, -1.0) * any_tangent(a);
-    return std::atan2(sine, cosine) / sine * glm::cross(normal, a);
+    // The part of b at a right angle to a, from products that keep small angles.
+    glm::dvec3 const tangent = glm::cross(glm::cross(a, b), a);
+    double const sine = glm::length(tangent), cosine = glm::dot(a, b);
+    if (sine == 0) return cosine > 0 ? glm::dvec3(0) : std::numbers::pi * any_tangent(a);
+    return std::atan2(sine, cosine) / sine * tangent;
 }
 
 glm::dvec3 walk_great_circle(glm::dvec3 const& a, glm::dvec3 const& step) {

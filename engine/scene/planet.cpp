@@ -101,8 +101,7 @@ std::filesystem::path planet_file(std::filesystem::path const& file_or_name) {
 } // namespace
 
 Planet make_earth() {
-    Planet earth;
-    earth.name = "earth";
+    Planet earth{.name = "earth"};
     Air& air = earth.air;
     air.rayleigh.scattering = air.rayleigh.extinction = {5.802e-6, 13.558e-6, 33.100e-6};
     air.rayleigh.scale_height = 8000;

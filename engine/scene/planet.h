@@ -28,10 +28,10 @@ struct Air {
 enum class GroundLook { uniform, procedural };
 
 struct Planet {
-    std::string name;
+    std::string name{};
     double radius = 6'360'000;            ///< [m] reference radius, "sea level"
     bool has_air = true;
-    Air air;
+    Air air{};
     GroundLook look = GroundLook::procedural;
     glm::dvec3 ground_albedo{0.2};        ///< mean albedo for light in the air; the colour itself where the look is uniform
     glm::dvec3 solar_irradiance{1.0};     ///< relative, above the air

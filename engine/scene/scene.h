@@ -97,7 +97,7 @@ struct Scene {
 
 /// Where a scene stands on the planet.
 struct Placement {
-    Geodetic anchor;                    ///< of the scene's origin
+    Geodetic anchor{};                  ///< of the scene's origin
     double yaw = 0;                     ///< [rad] clockwise seen from above
     double scale = 1;
     bool curve = false;                 ///< bend a flat map plane to the planet at import

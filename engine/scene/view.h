@@ -14,7 +14,7 @@ namespace alpenglow {
 
 /// A camera as people say it; angles in radians here, in degrees in files.
 struct CameraPlace {
-    Geodetic place;
+    Geodetic place{};
     double heading = 0, pitch = 0, roll = 0;
     double vertical_fov = 1.0471975512;
 };
@@ -25,7 +25,7 @@ Camera camera_at(CameraPlace const& place, double planet_radius);
 /// there is no scene), or a moment in UTC.
 struct SunPlace {
     double elevation = 0.5, azimuth = 3.14159265; ///< [rad]
-    std::optional<std::string> utc;               ///< ISO 8601; decides where given
+    std::optional<std::string> utc{};             ///< ISO 8601; decides where given
 };
 
 /// Unit vector to the sun in the world frame. A UTC time goes through ERFA: apparent place, Earth's rotation; no refraction.
@@ -42,13 +42,13 @@ inline constexpr Geodetic default_anchor{.latitude = 0.80285145591739149 /* 46 N
 
 /// What a view file says (assets/view.schema.json).
 struct View {
-    std::string name;                     ///< the file's stem
+    std::string name{};                   ///< the file's stem
     std::string planet = "earth";         ///< name in assets/planets, or a path
-    std::string scene;                    ///< path, "default" for the generated terrain, empty for none
-    std::optional<Placement> placement;   ///< default: the scene's own
-    CameraPlace camera;
-    SunPlace sun;
-    Settings settings;
+    std::string scene{};                  ///< path, "default" for the generated terrain, empty for none
+    std::optional<Placement> placement{}; ///< default: the scene's own
+    CameraPlace camera{};
+    SunPlace sun{};
+    Settings settings{};
 };
 
 /// Throws Error(bad_input) that names the file and the key: unknown keys, wrong types, impossible values.
@@ -75,14 +75,14 @@ World make_world(View const& view, Planet const& planet);
 /// orders of magnitude of altitude: log-altitude, great circles, quaternion headings; monotone cubics in time.
 struct Flight {
     std::string name;
-    View base;                            ///< planet, scene, placement, settings
+    View base{};                          ///< planet, scene, placement, settings
     struct Key {
         double time = 0;                  ///< [s]
         CameraPlace camera;
         SunPlace sun;
         double exposure = 0;              ///< [stops]
     };
-    std::vector<Key> keys;                ///< at least two, times increasing from 0
+    std::vector<Key> keys{};              ///< at least two, times increasing from 0
     double ground = 0;                    ///< [m] altitude at which the logarithm of the height starts
 
     double duration() const { return keys.back().time; }
