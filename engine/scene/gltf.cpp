@@ -9,6 +9,8 @@
 #include "scene/gltf_schema.h"
 #include "scene/gltf_source.h"
 
+#include <set>
+
 namespace alpenglow {
 
 namespace {
@@ -26,8 +28,13 @@ gltf::Document read_document(gltf::Report& report) {
 /// Builds the meshes that are placed, each once, and leaves out the instances of those that hold no triangle.
 void build_meshes(Scene& scene, std::vector<Instance> const& placed, gltf::Document const& document, gltf::Report& report) {
     constexpr std::uint32_t not_built = ~0u, without_triangles = ~0u - 1;
-    std::vector<std::uint32_t> numbers(document.meshes.size(), not_built);
     gltf::MeshBuilder builder(document, report);
+    std::set<std::uint32_t> shown;
+    for (Instance const& instance : placed) {
+        if (shown.insert(instance.mesh).second) builder.claim(instance.mesh);
+    }
+    std::vector<std::uint32_t> numbers(document.meshes.size(), not_built);
+    scene.meshes.reserve(shown.size());
     for (Instance const& instance : placed) {
         std::uint32_t& number = numbers[instance.mesh];
         if (number == not_built) {

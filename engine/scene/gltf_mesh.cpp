@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
+#include <set>
 #include <span>
 
 namespace alpenglow::gltf {
@@ -13,7 +14,7 @@ namespace alpenglow::gltf {
 namespace {
 
 constexpr std::size_t most_vertices = std::size_t{16} << 20; // 1.1 GiB
-constexpr std::size_t most_indices = std::size_t{64} << 20;  // strips become three times as many: 0.8 GiB
+constexpr std::size_t most_indices = std::size_t{192} << 20; // 0.8 GiB
 
 /// What an attribute may be made of (glTF 2.0, section 3.7.2.1): component types, each a bit of `component_bit`, that must
 /// be normalized where they are integers; and those that KHR_mesh_quantization adds, normalized or not.
@@ -72,6 +73,24 @@ Box bounds_of(Mesh const& mesh, MeshPart const& part) {
 
 } // namespace
 
+void MeshBuilder::claim(std::size_t index) {
+    std::set<std::map<std::string, int>> known;
+    for (Primitive const& primitive : document_.meshes[index].primitives) {
+        auto const position = primitive.attributes.find("POSITION");
+        if (primitive.mode < 4 || position == primitive.attributes.end()) continue;
+        std::size_t const count = document_.accessors[static_cast<std::size_t>(position->second)].count;
+        std::size_t const corners =
+            primitive.indices == no_index ? count : document_.accessors[static_cast<std::size_t>(primitive.indices)].count;
+        std::size_t const indices = static_cast<TriangleMode>(primitive.mode) == TriangleMode::list ? corners : 3 * corners;
+        total_indices_ += indices;
+        if (!primitive.attributes.contains("NORMAL")) total_vertices_ += std::max(count, indices);
+        else if (known.insert(primitive.attributes).second) total_vertices_ += count;
+    }
+    std::string const pointer = fmt::format("/meshes/{}", index);
+    if (total_indices_ > most_indices) report_.fail(pointer, fmt::format("is beyond the limit of {} indices in all", most_indices));
+    if (total_vertices_ > most_vertices) report_.fail(pointer, fmt::format("is beyond the limit of {} vertices in all", most_vertices));
+}
+
 Mesh MeshBuilder::build(std::size_t index) {
     MeshSource const& source = document_.meshes[index];
     Mesh mesh;
@@ -89,7 +108,7 @@ void MeshBuilder::add_primitive(Mesh& mesh, FirstVertices& shared, Primitive con
     if (position == primitive.attributes.end()) return report_.warn("primitives without POSITION are left out");
 
     std::size_t const count = document_.accessors[static_cast<std::size_t>(position->second)].count;
-    std::vector<std::uint32_t> indices = read_triangles(primitive, count, pointer);
+    std::vector<std::uint32_t> indices = read_triangles(primitive, count);
     if (indices.empty()) return report_.warn("primitives without a whole triangle are left out");
     std::uint32_t const first_vertex = add_vertices(mesh, shared, primitive, indices, pointer);
     for (std::uint32_t& corner : indices) corner += first_vertex;
@@ -104,10 +123,8 @@ void MeshBuilder::add_primitive(Mesh& mesh, FirstVertices& shared, Primitive con
     mesh.parts.push_back(part);
 }
 
-std::vector<std::uint32_t> MeshBuilder::read_triangles(Primitive const& primitive, std::size_t vertices, std::string const& pointer) {
+std::vector<std::uint32_t> MeshBuilder::read_triangles(Primitive const& primitive, std::size_t vertices) {
     bool const counted = primitive.indices == no_index;
-    total_indices_ += counted ? vertices : document_.accessors[static_cast<std::size_t>(primitive.indices)].count;
-    if (total_indices_ > most_indices) report_.fail(pointer, fmt::format("is beyond the limit of {} indices", most_indices));
     return triangles_from(static_cast<TriangleMode>(primitive.mode),
                           counted ? counted_indices(vertices) : read_indices(document_, primitive.indices, vertices, report_));
 }
@@ -123,8 +140,6 @@ std::uint32_t MeshBuilder::add_vertices(Mesh& mesh, FirstVertices& shared, Primi
         if (!added) return known->second;
     }
     std::size_t const count = document_.accessors[static_cast<std::size_t>(primitive.attributes.at("POSITION"))].count;
-    total_vertices_ += flat ? std::max(count, indices.size()) : count;
-    if (total_vertices_ > most_vertices) report_.fail(pointer, fmt::format("is beyond the limit of {} vertices", most_vertices));
     std::vector<Vertex> vertices = read_vertices(primitive, count, pointer);
     if (flat) make_flat(vertices, indices);
     if (mesh.vertices.empty()) mesh.vertices = std::move(vertices);

@@ -11,6 +11,9 @@ class MeshBuilder {
 public:
     MeshBuilder(Document const& document, Report& report) : document_(document), report_(report) {}
 
+    /// Counts what `mesh` will take at most. Throws Error(bad_input) beyond the limits. Call it for every mesh before the
+    /// first is built.
+    void claim(std::size_t mesh);
     /// `mesh` of the document as triangles; without parts where it holds none. Materials are numbered as in the document;
     /// a part without one has `default_material()`. Throws Error(bad_input).
     Mesh build(std::size_t mesh);
@@ -23,7 +26,7 @@ private:
     using FirstVertices = std::map<std::map<std::string, int>, std::uint32_t>;
 
     void add_primitive(Mesh& mesh, FirstVertices& shared, Primitive const& primitive, std::string const& pointer);
-    std::vector<std::uint32_t> read_triangles(Primitive const& primitive, std::size_t vertices, std::string const& pointer);
+    std::vector<std::uint32_t> read_triangles(Primitive const& primitive, std::size_t vertices);
     std::uint32_t add_vertices(Mesh& mesh, FirstVertices& shared, Primitive const& primitive, std::vector<std::uint32_t>& indices,
                                std::string const& pointer);
     std::vector<Vertex> read_vertices(Primitive const& primitive, std::size_t count, std::string const& pointer);

@@ -3,6 +3,7 @@
 #include "scene/gltf_nodes.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wconversion"
@@ -15,9 +16,29 @@ namespace alpenglow::gltf {
 
 namespace {
 
+using namespace nlohmann::literals;
+
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
+/// tinygltf refuses indices without bytes of their own; this says why they have none.
+void check_index_views(nlohmann::json const& json, Report const& report) {
+    nlohmann::json const none = nlohmann::json::array();
+    nlohmann::json const& meshes = json.contains("meshes") ? json["meshes"] : none;
+    for (std::size_t m = 0; m < meshes.size(); ++m) {
+        nlohmann::json const& primitives = meshes[m]["primitives"];
+        for (std::size_t p = 0; p < primitives.size(); ++p) {
+            nlohmann::json const& primitive = primitives[p];
+            if (!primitive.contains("indices")) continue;
+            if (json["accessors"][primitive["indices"].get<std::size_t>()].contains("bufferView")) continue;
+            bool const draco = primitive.contains("/extensions/KHR_draco_mesh_compression"_json_pointer);
+            report.fail(fmt::format("/meshes/{}/primitives/{}/indices", m, p),
+                        draco ? "is compressed by KHR_draco_mesh_compression, which is not supported" : "has no bufferView");
+        }
+    }
+}
+
 tinygltf::Model parse_model(nlohmann::json json, Report const& report) {
+    check_index_views(json, report);
     // Read by us (buffers, images) or not at all: the less reaches the parser, the less can go wrong in it.
     for (char const* const key : {"buffers", "images", "animations", "skins", "cameras", "extensions", "extras"}) json.erase(key);
     std::string const text = json.dump();

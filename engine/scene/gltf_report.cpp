@@ -16,10 +16,9 @@ void Report::warn(std::string const& line) {
 }
 
 std::string printable(std::string_view text) {
-    constexpr std::size_t longest = 80;
-    bool const cut = text.size() > longest;
-    if (cut) text = text.substr(text.size() - longest);
-    std::string line((cut ? "…" : "") + std::string(text));
+    constexpr std::size_t longest = 160;
+    std::string line(text.substr(0, longest));
+    if (text.size() > longest) line += "…";
     std::replace_if(line.begin(), line.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
     return line;
 }

@@ -24,7 +24,7 @@ private:
     std::set<std::string> warned_;
 };
 
-/// Text from a file, fit for a line: control characters replaced, cut after 80 bytes.
+/// Text from a file, fit for a line: control characters replaced, cut after 160 bytes.
 std::string printable(std::string_view text);
 
 } // namespace alpenglow::gltf
