@@ -86,13 +86,13 @@ INLINE bool ray_hits_ground(AirRay ray) {
     return ray.along < 0.0f && ray.along * ray.along >= power_from_altitude(ray.ground_radius, ray.altitude);
 }
 
-// The same ray from where it enters the air, `distance` [m] ahead; unchanged, with 0, for an origin inside. A ray that
-// misses the air gets an empty segment from `air_segment`, and its `distance` means nothing.
+// The same ray from where it enters the air, `distance` [m] ahead; unchanged, with 0, for an origin inside. For a ray
+// that misses the air `distance` means nothing, and its `air_segment` is empty.
 INLINE AirRay enter_air(Atmosphere atmosphere, AirRay ray, OUT(float) distance) {
     bool outside = ray.altitude > atmosphere.top_altitude;
     float power = power_above_origin(ray, atmosphere.top_altitude);
     float root = sqrt(max(ray.along * ray.along + power, 0.0f));
-    distance = outside ? max(-power / max(root - ray.along, TINY), 0.0f) : 0.0f;
+    distance = outside && ray.along < 0.0f ? -power / (root - ray.along) : 0.0f;
     AirRay entered = ray;
     entered.altitude = min(ray.altitude, atmosphere.top_altitude);
     entered.along = outside ? (ray.along < 0.0f ? -root : root) : ray.along;
