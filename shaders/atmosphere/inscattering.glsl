@@ -28,8 +28,10 @@ INLINE AirLight compute_air_light(Atmosphere atmosphere, sampler2D transmittance
     MarchCells cells = make_march_cells(atmosphere, ray, begin, end);
     RayPhases phases = phases_of(atmosphere, ray.nu);
     AirLight light = no_air_light();
+    float from = begin;
     for (int i = 0; i < n; ++i) {
-        MarchCell cell = march_cell(cells, i, n);
+        MarchCell cell = march_cell_from(cells, from, i, n);
+        from = cell.end;
         AirPoint point = air_point_at(ray, cell.middle);
         Medium medium = medium_at(atmosphere, point.altitude);
         vec3 sun = sample_sun_transmittance(transmittance_table, atmosphere, point.altitude, point.mu_s);

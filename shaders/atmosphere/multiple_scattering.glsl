@@ -40,8 +40,10 @@ INLINE OrderTransfer gather_orders(Atmosphere atmosphere, sampler2D transmittanc
     MarchCells cells = make_march_cells(atmosphere, ray, segment.begin, segment.end);
     OrderTransfer sum = OrderTransfer(vec3(0.0f), vec3(0.0f));
     vec3 transmittance = vec3(1.0f);
+    float from = segment.begin;
     for (int i = 0; i < MULTIPLE_SCATTERING_CELLS; ++i) {
-        MarchCell cell = march_cell(cells, i, MULTIPLE_SCATTERING_CELLS);
+        MarchCell cell = march_cell_from(cells, from, i, MULTIPLE_SCATTERING_CELLS);
+        from = cell.end;
         AirPoint point = air_point_at(ray, cell.middle);
         Medium medium = medium_at(atmosphere, point.altitude);
         float cell_length = cell.end - cell.begin;

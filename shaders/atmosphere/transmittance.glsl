@@ -95,12 +95,13 @@ struct SegmentTransmittance {
     float trust; // 1: as good as the table; 0: the difference of two large depths, take the march's own sum
 };
 
-// The table's error, relative to an optical depth, over half of what a transmittance may be off (0.5 %).
-CONSTANT float SEGMENT_TRUST_DEPTH = 2.0f;
+// Optical depth of the longer of the two ways above which the ratio isn't trusted at all; full trust below half of it.
+// Up to there the largest error is 0.17 % on clear and hazy Earth and 0.3 % on the dense planet.
+CONSTANT float SEGMENT_TRUST_DEPTH = 5.0f;
 
-// Transmittance between two points of one ray, both inside the air, from the table: the depth from the lower point
-// through the higher one to the top, less the depth beyond. `lower` and `higher` are taken along the ray as it leads
-// upwards from one to the other. Bruneton and Neyret 2008, section 4, without their switch at the horizon.
+// Transmittance between two points of one ray, both inside the air and nothing but air between them, from the table: the
+// depth from the lower point through the higher one to the top, less the depth from the higher one on. The ray is
+// followed the way it leads up, after Bruneton and Neyret 2008, section 4, so that it never looks below the horizon.
 INLINE SegmentTransmittance sample_segment_transmittance(sampler2D table, Atmosphere atmosphere, AirPoint from, AirPoint to) {
     bool up = to.altitude >= from.altitude;
     vec3 whole = sample_optical_depth(table, atmosphere, up ? from.altitude : to.altitude, up ? from.mu : -to.mu);

@@ -19,12 +19,12 @@ struct View {
     float end;
 };
 
-// Rays of a picture: elevations around `pitch` [degrees], azimuths around the sun, from altitude h [m] that may be above the air.
-std::vector<View> picture(float h, double pitch, double sun_elevation) {
+// Rays of a picture: elevations around `pitch`, azimuths from the sun's [degrees], from altitude h [m], in space as well.
+std::vector<View> picture(float h, double pitch, double sun_elevation, std::vector<double> const& azimuths) {
     std::vector<View> views;
     double const mu_s = std::sin(glm::radians(sun_elevation));
     for (double elevation = pitch - 16; elevation <= pitch + 30; elevation += 7.7)
-        for (double const azimuth : {3.0, 40.0, 110.0, 170.0}) {
+        for (double const azimuth : azimuths) {
             double const mu = std::sin(glm::radians(elevation));
             double const nu = mu * mu_s + std::sqrt((1 - mu * mu) * (1 - mu_s * mu_s)) * std::cos(glm::radians(azimuth));
             float entry = 0;
@@ -77,23 +77,29 @@ TEST(SegmentIntegral, homogeneous_air_needs_no_more_than_one_cell) {
     EXPECT_NEAR(one.transmittance.x, many.transmittance.x, 1e-6);
 }
 
-// Errors like those of the study behind the rule; even or squared spacing is 3 to 39 % off with 14 to 30 samples. The
-// table's own error of 0.1 to 0.3 % and the polynomial of the sun's disc are in here.
+// Errors like those of the study behind the rule, where even or squared spacing is 3 to 39 % off with 14 to 30 samples.
+// The table's own error, and the polynomial of the sun's disc, are in here.
 TEST(March, single_scattering_meets_the_double_integral) {
     struct Case {
         float h;
         double pitch, sun, with_16, with_32;
     };
-    for (Case const c : {Case{2, 10, 17, 0.01, 0.004}, Case{2, 10, 1, 0.015, 0.005}, Case{2, 10, -3, 0.03, 0.01},
-                         Case{10e3f, 0, 1, 0.015, 0.005}, Case{400e3f, -20, 17, 0.015, 0.005},
-                         Case{400e3f, -20, -12, 0.06, 0.02}}) {
-        auto const views = picture(c.h, c.pitch, c.sun);
+    for (Case const c : {Case{2, 10, 17, 0.02, 0.005}, Case{2, 10, 1, 0.02, 0.005}, Case{2, 10, -3, 0.02, 0.005},
+                         Case{10e3f, 0, 1, 0.006, 0.002}, Case{400e3f, -20, 17, 0.006, 0.002},
+                         Case{400e3f, -20, -12, 0.05, 0.015}}) {
+        auto const views = picture(c.h, c.pitch, c.sun, {25, 60, 110, 170});
         double const e16 = march_error(views, 16), e32 = march_error(views, 32);
-        RecordProperty("error", std::to_string(e16) + " " + std::to_string(e32));
-        std::printf("%g km sun %g: %.3f%% %.3f%% %.3f%%\n", c.h/1e3, c.sun, 100*e16, 100*e32, 100*march_error(views, 128));
         EXPECT_LT(e16, c.with_16) << c.h << " m, sun " << c.sun;
         EXPECT_LT(e32, c.with_32) << c.h << " m, sun " << c.sun;
     }
+}
+
+// Around the sun aerosol is nearly all there is, and its scale height is half of a cell of a steep ray.
+TEST(March, the_aureole_meets_the_double_integral) {
+    auto const views = picture(2, 10, 17, {3, 12});
+    EXPECT_LT(march_error(views, 16), 0.06);
+    EXPECT_LT(march_error(views, 32), 0.02);
+    EXPECT_LT(march_error(views, 128), 0.002);
 }
 
 // A ray to distance d, plus its transmittance times what lies beyond, is the whole ray: no seam at the skyline.
@@ -167,7 +173,7 @@ TEST(MultipleScattering, an_order_is_weaker_than_the_last) {
             around += gather_orders(air, clear.sampler(), ray).around / float(n);
         }
         EXPECT_GT(around.z, last);
-        EXPECT_LT(around.z, 1);
+        EXPECT_LE(around.z, 1);
         last = around.z;
     }
 }
