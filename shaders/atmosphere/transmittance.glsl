@@ -24,7 +24,8 @@ INLINE vec2 transmittance_uv_from_altitude_mu(Atmosphere atmosphere, float altit
     float nearest = atmosphere.top_altitude - h;
     float farthest = rho + rho_top;
     float x = (distance_out_of(ray, atmosphere.top_altitude) - nearest) / (farthest - nearest);
-    return vec2(uv_from_unit(clamp(x, 0.0f, 1.0f), TRANSMITTANCE_WIDTH), uv_from_unit(rho / rho_top, TRANSMITTANCE_HEIGHT));
+    return vec2(uv_from_unit(clamp(x, 0.0f, 1.0f), TRANSMITTANCE_WIDTH),
+                uv_from_unit(rho / rho_top, TRANSMITTANCE_HEIGHT));
 }
 
 // x = altitude [m], y = mu.
@@ -99,10 +100,11 @@ struct SegmentTransmittance {
 // Up to there the largest error is 0.17 % on clear and hazy Earth and 0.3 % on the dense planet.
 CONSTANT float SEGMENT_TRUST_DEPTH = 5.0f;
 
-// Transmittance between two points of one ray, both inside the air and nothing but air between them, from the table: the
-// depth from the lower point through the higher one to the top, less the depth from the higher one on. The ray is
+// Transmittance between two points of one ray, both inside the air and nothing but air between them, from the table:
+// the depth from the lower point through the higher one to the top, less the depth from the higher one on. The ray is
 // followed the way it leads up, after Bruneton and Neyret 2008, section 4, so that it never looks below the horizon.
-INLINE SegmentTransmittance sample_segment_transmittance(sampler2D table, Atmosphere atmosphere, AirPoint from, AirPoint to) {
+INLINE SegmentTransmittance sample_segment_transmittance(sampler2D table, Atmosphere atmosphere, AirPoint from,
+                                                         AirPoint to) {
     bool up = to.altitude >= from.altitude;
     vec3 whole = sample_optical_depth(table, atmosphere, up ? from.altitude : to.altitude, up ? from.mu : -to.mu);
     vec3 beyond = sample_optical_depth(table, atmosphere, up ? to.altitude : from.altitude, up ? to.mu : -from.mu);

@@ -59,7 +59,8 @@ public:
     template <typename Texel> Table(int width, int height, Texel const& texel) : width_(width), height_(height) {
         for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x)
-                texels_.push_back(texel(glm::vec2((float(x) + 0.5f) / float(width), (float(y) + 0.5f) / float(height))));
+                texels_.push_back(
+                    texel(glm::vec2((float(x) + 0.5f) / float(width), (float(y) + 0.5f) / float(height))));
     }
     shader::sampler2D sampler() const { return {width_, height_, texels_.data()}; }
     std::vector<glm::vec4> const& texels() const { return texels_; }

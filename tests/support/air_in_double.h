@@ -1,7 +1,7 @@
 #pragma once
 
-// The text of shaders/atmosphere once more, with `float` read as `double`, in namespace alpenglow::shader_double. A file
-// that includes this can't include the float compile as well.
+// The text of shaders/atmosphere once more, with `float` read as `double`, in namespace alpenglow::shader_double. A
+// file that includes this can't include the float compile as well.
 #include <cmath>
 
 #include <glm/glm.hpp>

@@ -35,8 +35,12 @@ struct Air {
 struct Ray {
     double radius, h0, mu0, mu_s0 = 1, nu = 1;
     double r0() const { return radius + h0; }
-    double r(double t) const { return double(std::sqrt((long double)r0() * r0() + 2.0L * t * r0() * mu0 + (long double)t * t)); }
-    double altitude(double t) const { return double(std::sqrt((long double)r0() * r0() + 2.0L * t * r0() * mu0 + (long double)t * t) - radius); }
+    double r(double t) const {
+        return double(std::sqrt((long double)r0() * r0() + 2.0L * t * r0() * mu0 + (long double)t * t));
+    }
+    double altitude(double t) const {
+        return double(std::sqrt((long double)r0() * r0() + 2.0L * t * r0() * mu0 + (long double)t * t) - radius);
+    }
     double mu(double t) const { return (r0() * mu0 + t) / r(t); }
     double mu_s(double t) const { return (r0() * mu_s0 + t * nu) / r(t); }
     /// Distances to the sphere at altitude h, both signs; NaN where the ray misses it.
@@ -93,7 +97,8 @@ inline dvec3 sun_transmittance(Air const& air, double h, double mu_s) {
 
 inline double rayleigh_phase(double nu) { return 3 / (16 * std::numbers::pi) * (1 + nu * nu); }
 inline double cornette_shanks_phase(double nu, double g) {
-    return 3 / (8 * std::numbers::pi) * (1 - g * g) * (1 + nu * nu) / ((2 + g * g) * std::pow(1 + g * g - 2 * g * nu, 1.5));
+    return 3 / (8 * std::numbers::pi) * (1 - g * g) * (1 + nu * nu) /
+           ((2 + g * g) * std::pow(1 + g * g - 2 * g * nu, 1.5));
 }
 
 /// Single scattering between two distances [1/sr per unit of solar irradiance].

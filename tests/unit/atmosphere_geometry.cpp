@@ -9,7 +9,8 @@ using namespace alpenglow::shader;
 namespace {
 constexpr float R = 6.36e6f;
 
-// The largest error of altitude [m] inside the air, along rays that graze altitudes from 0 to 90 km, for a camera at h0.
+// The largest error of altitude [m] inside the air, along rays that graze altitudes from 0 to 90 km, for a camera at
+// h0.
 double worst_altitude(float h0) {
     Atmosphere const air = test::earth_air();
     double worst = 0;

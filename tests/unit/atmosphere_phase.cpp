@@ -30,5 +30,6 @@ TEST(Phases, the_aerosols_peak_surrounds_the_sun) {
 }
 
 TEST(Phases, cornette_and_shanks_without_asymmetry_is_rayleighs) {
-    for (float const nu : {-1.0f, -0.4f, 0.0f, 0.7f, 1.0f}) EXPECT_FLOAT_EQ(cornette_shanks_phase(nu, 0), rayleigh_phase(nu));
+    for (float const nu : {-1.0f, -0.4f, 0.0f, 0.7f, 1.0f})
+        EXPECT_FLOAT_EQ(cornette_shanks_phase(nu, 0), rayleigh_phase(nu));
 }

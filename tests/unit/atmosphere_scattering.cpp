@@ -19,16 +19,19 @@ struct View {
     float end;
 };
 
-// Rays of a picture: elevations around `pitch`, azimuths from the sun's [degrees], from altitude h [m], in space as well.
+// Rays of a picture: elevations around `pitch`, azimuths from the sun's [degrees], from altitude h [m], in space as
+// well.
 std::vector<View> picture(float h, double pitch, double sun_elevation, std::vector<double> const& azimuths) {
     std::vector<View> views;
     double const mu_s = std::sin(glm::radians(sun_elevation));
     for (double elevation = pitch - 16; elevation <= pitch + 30; elevation += 7.7)
         for (double const azimuth : azimuths) {
             double const mu = std::sin(glm::radians(elevation));
-            double const nu = mu * mu_s + std::sqrt((1 - mu * mu) * (1 - mu_s * mu_s)) * std::cos(glm::radians(azimuth));
+            double const nu =
+                mu * mu_s + std::sqrt((1 - mu * mu) * (1 - mu_s * mu_s)) * std::cos(glm::radians(azimuth));
             float entry = 0;
-            AirRay const ray = enter_air(AIR, make_air_ray(AIR.ground_radius, h, float(mu), float(mu_s), float(nu)), entry);
+            AirRay const ray =
+                enter_air(AIR, make_air_ray(AIR.ground_radius, h, float(mu), float(mu_s), float(nu)), entry);
             float const end = air_segment(AIR, ray).end;
             if (end <= 0) continue;
             double const r0 = double(AIR.ground_radius) + ray.altitude;
@@ -84,9 +87,9 @@ TEST(March, single_scattering_meets_the_double_integral) {
         float h;
         double pitch, sun, with_16, with_32;
     };
-    for (Case const c : {Case{2, 10, 17, 0.02, 0.005}, Case{2, 10, 1, 0.02, 0.005}, Case{2, 10, -3, 0.02, 0.005},
-                         Case{10e3f, 0, 1, 0.006, 0.002}, Case{400e3f, -20, 17, 0.006, 0.002},
-                         Case{400e3f, -20, -12, 0.05, 0.015}}) {
+    for (Case const c :
+         {Case{2, 10, 17, 0.02, 0.005}, Case{2, 10, 1, 0.02, 0.005}, Case{2, 10, -3, 0.02, 0.005},
+          Case{10e3f, 0, 1, 0.006, 0.002}, Case{400e3f, -20, 17, 0.006, 0.002}, Case{400e3f, -20, -12, 0.05, 0.015}}) {
         auto const views = picture(c.h, c.pitch, c.sun, {25, 60, 110, 170});
         double const e16 = march_error(views, 16), e32 = march_error(views, 32);
         EXPECT_LT(e16, c.with_16) << c.h << " m, sun " << c.sun;
@@ -105,18 +108,20 @@ TEST(March, the_aureole_meets_the_double_integral) {
 // A ray to distance d, plus its transmittance times what lies beyond, is the whole ray: no seam at the skyline.
 TEST(March, a_ray_cut_in_two_is_the_whole_ray) {
     auto const march = [](AirRay const& ray, float begin, float end) {
-        return compute_air_light(AIR, test::earth_transmittance().sampler(), test::earth_multiple_scattering().sampler(), ray,
-                                 begin, end, 32);
+        return compute_air_light(AIR, test::earth_transmittance().sampler(),
+                                 test::earth_multiple_scattering().sampler(), ray, begin, end, 32);
     };
     for (float const mu : {-0.01f, 0.0f, 0.05f, 0.5f})
         for (float const sun : {0.3f, 0.02f, -0.05f})
             for (float const share : {0.02f, 0.3f, 0.9f}) {
                 AirRay const ray = make_air_ray(AIR.ground_radius, 2000, mu, sun, mu * sun + 0.4f);
                 float const end = air_segment(AIR, ray).end;
-                AirLight const whole = march(ray, 0, end), near = march(ray, 0, end * share), far = march(ray, end * share, end);
+                AirLight const whole = march(ray, 0, end), near = march(ray, 0, end * share),
+                               far = march(ray, end * share, end);
                 vec3 const joined = near.inscattered + near.transmittance * far.inscattered;
                 for (int c = 0; c < 3; ++c)
-                    EXPECT_NEAR(joined[c], whole.inscattered[c], 0.005f * whole.inscattered[c]) << mu << " " << sun << " " << share;
+                    EXPECT_NEAR(joined[c], whole.inscattered[c], 0.005f * whole.inscattered[c])
+                        << mu << " " << sun << " " << share;
             }
 }
 
