@@ -22,8 +22,8 @@ INLINE Medium medium_at(Atmosphere atmosphere, float h) {
     float rayleigh = exponential_density(h, atmosphere.rayleigh_scale_height);
     float aerosol = exponential_density(h, atmosphere.aerosol_scale_height);
     vec3 scattered = atmosphere.rayleigh_scattering * rayleigh;
-    vec3 extinction =
-        scattered + atmosphere.aerosol_extinction * aerosol + atmosphere.ozone_absorption * ozone_density(atmosphere, h);
+    vec3 extinction = scattered + atmosphere.aerosol_extinction * aerosol +
+                      atmosphere.ozone_absorption * ozone_density(atmosphere, h);
     return Medium(scattered, atmosphere.aerosol_scattering * aerosol, extinction);
 }
 

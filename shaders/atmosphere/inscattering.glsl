@@ -18,18 +18,21 @@ INLINE RayPhases phases_of(Atmosphere atmosphere, float nu) {
 // Radiance per metre [1/(sr m)] that the medium adds to the ray: sunlight `sun` at the point (transmittance times
 // shadow) by the phases, and light of higher orders `psi` [1/sr], evenly.
 INLINE vec3 inscattering_source(Medium medium, RayPhases phases, vec3 sun, vec3 psi) {
-    return medium.rayleigh_scattering * (sun * phases.rayleigh + psi) + medium.aerosol_scattering * (sun * phases.aerosol + psi);
+    return medium.rayleigh_scattering * (sun * phases.rayleigh + psi) +
+           medium.aerosol_scattering * (sun * phases.aerosol + psi);
 }
 
 // Inscattered radiance [1/sr] and transmittance between two distances [m] of a ray inside the air, without shadows but
 // the planet's own, in n cells.
-INLINE AirLight compute_air_light(Atmosphere atmosphere, sampler2D transmittance_table, sampler2D multiple_scattering_table,
-                                  AirRay ray, float begin, float end, int n) {
+INLINE AirLight compute_air_light(Atmosphere atmosphere, sampler2D transmittance_table,
+                                  sampler2D multiple_scattering_table, AirRay ray, float begin, float end, int n) {
     MarchCells cells = make_march_cells(atmosphere, ray, begin, end);
     RayPhases phases = phases_of(atmosphere, ray.nu);
     AirLight light = no_air_light();
+    float from = begin;
     for (int i = 0; i < n; ++i) {
-        MarchCell cell = march_cell(cells, i, n);
+        MarchCell cell = march_cell_from(cells, from, i, n);
+        from = cell.end;
         AirPoint point = air_point_at(ray, cell.middle);
         Medium medium = medium_at(atmosphere, point.altitude);
         vec3 sun = sample_sun_transmittance(transmittance_table, atmosphere, point.altitude, point.mu_s);

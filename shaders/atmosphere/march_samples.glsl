@@ -13,14 +13,14 @@ CONSTANT float QUANTILE_HEIGHT = 0.4f;
 // The cells of a segment. With x = h - lowest altitude, p = 1 - exp(-x / H) and k = `offset`, the measure of a point is
 // d = sqrt(k² + (1 - k²) p) - k over 1 - k², negative before the lowest point.
 struct MarchCells {
-    float begin;          // distance from the ray's origin [m]
-    float end;            // [m]
-    float lowest;         // distance of the segment's lowest point [m]
-    float lowest_radius;  // its distance from the planet's centre [m]
-    float lowest_along;   // its distance from the closest approach [m], 0 where that lies inside the segment
-    float height;         // H [m]
-    float offset;         // k: sqrt(1 - exp(-(lowest altitude - h_p) / H))
-    float measure_begin;  // d at both ends; d grows along the ray
+    float begin;         // distance from the ray's origin [m]
+    float end;           // [m]
+    float lowest;        // distance of the segment's lowest point [m]
+    float lowest_radius; // its distance from the planet's centre [m]
+    float lowest_along;  // its distance from the closest approach [m], 0 where that lies inside the segment
+    float height;        // H [m]
+    float offset;        // k: sqrt(1 - exp(-(lowest altitude - h_p) / H))
+    float measure_begin; // d at both ends; d grows along the ray
     float measure_end;
 };
 
@@ -75,12 +75,16 @@ INLINE float march_distance(MarchCells cells, float u) {
     return u <= 0.0f ? cells.begin : (u >= 1.0f ? cells.end : t);
 }
 
-// The i-th of n cells. Neighbours share their edge to the bit, so that the lengths add up to the segment's.
+// The i-th of n cells, for a loop that knows where the one before ended. Neighbours share their edge to the bit, so
+// that the lengths add up to the segment's.
+INLINE MarchCell march_cell_from(MarchCells cells, float from, int i, int n) {
+    return MarchCell(from, march_distance(cells, (float(i) + 0.5f) / float(n)),
+                     march_distance(cells, float(i + 1) / float(n)));
+}
+
+// The i-th of n cells.
 INLINE MarchCell march_cell(MarchCells cells, int i, int n) {
-    float share = 1.0f / float(n);
-    return MarchCell(march_distance(cells, i == 0 ? 0.0f : float(i) * share),
-                     march_distance(cells, (float(i) + 0.5f) * share),
-                     march_distance(cells, i + 1 == n ? 1.0f : float(i + 1) * share));
+    return march_cell_from(cells, march_distance(cells, float(i) / float(n)), i, n);
 }
 
 SHADER_NAMESPACE_END

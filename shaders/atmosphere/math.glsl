@@ -11,7 +11,8 @@ CONSTANT float TINY = 1e-30f;                    // keeps 0/0 at 0 and log(0) fi
 // (1 - exp(-x)) / x, for x >= 0: the mean transmittance inside a homogeneous layer of optical depth x. 1 at x = 0.
 // Series below 1/8, where the difference would cancel; relative error 3e-7 in float.
 INLINE float mean_transmittance(float x) {
-    float series = 1.0f - x * (1.0f / 2.0f) * (1.0f - x * (1.0f / 3.0f) * (1.0f - x * (1.0f / 4.0f) * (1.0f - x * 0.2f)));
+    float series =
+        1.0f - x * (1.0f / 2.0f) * (1.0f - x * (1.0f / 3.0f) * (1.0f - x * (1.0f / 4.0f) * (1.0f - x * 0.2f)));
     return x < 0.125f ? series : (1.0f - exp(-x)) / max(x, 0.125f);
 }
 

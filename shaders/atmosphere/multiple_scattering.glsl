@@ -1,7 +1,7 @@
 // Light scattered more than once, from a table by altitude and sun: Hillaire 2020, as Sakmary tells it in 2.6.
-// Every order from the second on is taken as isotropic, and the light around a point as the light at the point; then the
-// orders are a geometric series. Psi is the mean radiance over all directions [1/sr per unit of solar irradiance above the air]:
-// the source of orders >= 2 is (Rayleigh scattering + aerosol scattering) · Psi · solar irradiance.
+// Every order from the second on is taken as isotropic, and the light around a point as the light at the point; then
+// the orders are a geometric series. Psi is the mean radiance over all directions [1/sr per unit of solar irradiance
+// above the air]: the source of orders >= 2 is (Rayleigh scattering + aerosol scattering) · Psi · solar irradiance.
 // Table: MULTIPLE_SCATTERING_SIZE², rgb = log Psi; between two nodes of twilight Psi falls by powers of ten.
 #ifndef ALPENGLOW_ATMOSPHERE_MULTIPLE_SCATTERING_GLSL
 #define ALPENGLOW_ATMOSPHERE_MULTIPLE_SCATTERING_GLSL
@@ -29,7 +29,8 @@ INLINE vec3 sunlit_ground(sampler2D transmittance_table, Atmosphere atmosphere, 
            (max(mu_s, 0.0f) / PI);
 }
 
-// One direction's share of the sums: light of the first order and from the ground, and light of a unit of radiance around.
+// One direction's share of the sums: light of the first order and from the ground, and light of a unit of radiance
+// around.
 struct OrderTransfer {
     vec3 first;  // [1/sr per unit of solar irradiance]
     vec3 around; // 0 to 1
@@ -40,8 +41,10 @@ INLINE OrderTransfer gather_orders(Atmosphere atmosphere, sampler2D transmittanc
     MarchCells cells = make_march_cells(atmosphere, ray, segment.begin, segment.end);
     OrderTransfer sum = OrderTransfer(vec3(0.0f), vec3(0.0f));
     vec3 transmittance = vec3(1.0f);
+    float from = segment.begin;
     for (int i = 0; i < MULTIPLE_SCATTERING_CELLS; ++i) {
-        MarchCell cell = march_cell(cells, i, MULTIPLE_SCATTERING_CELLS);
+        MarchCell cell = march_cell_from(cells, from, i, MULTIPLE_SCATTERING_CELLS);
+        from = cell.end;
         AirPoint point = air_point_at(ray, cell.middle);
         Medium medium = medium_at(atmosphere, point.altitude);
         float cell_length = cell.end - cell.begin;

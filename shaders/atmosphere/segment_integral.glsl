@@ -11,7 +11,8 @@ struct AirLight {
 
 INLINE AirLight no_air_light() { return AirLight(vec3(0.0f), vec3(1.0f)); }
 
-// The integral of source · exp(-extinction s) over 0 <= s <= length [m]: source (1 - exp(-extinction length)) / extinction.
+// The integral of source · exp(-extinction s) over 0 <= s <= length [m]: source (1 - exp(-extinction length)) /
+// extinction.
 INLINE vec3 integrate_segment(vec3 source, vec3 extinction, float segment_length) {
     return source * mean_transmittance3(extinction * segment_length) * segment_length;
 }

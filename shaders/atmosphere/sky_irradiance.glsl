@@ -11,8 +11,8 @@ CONSTANT int SKY_IRRADIANCE_AZIMUTHS = 16; // of half a turn; dense towards the 
 CONSTANT int SKY_IRRADIANCE_CELLS = 24;
 
 // By integration over the upper hemisphere at altitude h [m], with all orders of scattering.
-INLINE vec3 compute_sky_irradiance(Atmosphere atmosphere, sampler2D transmittance_table, sampler2D multiple_scattering_table,
-                                   float h, float mu_s) {
+INLINE vec3 compute_sky_irradiance(Atmosphere atmosphere, sampler2D transmittance_table,
+                                   sampler2D multiple_scattering_table, float h, float mu_s) {
     float sin_sun = sqrt(max(1.0f - mu_s * mu_s, 0.0f));
     vec3 irradiance = vec3(0.0f);
     for (int i = 0; i < SKY_IRRADIANCE_ZENITHS * SKY_IRRADIANCE_AZIMUTHS; ++i) {

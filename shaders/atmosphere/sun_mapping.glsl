@@ -1,12 +1,13 @@
-// The axes of the tables by altitude and sun: x the sun's zenith, dense where it sets; y the altitude, dense at the ground.
+// The axes of the tables by altitude and sun: x the sun's zenith, dense where it sets; y the altitude, dense at the
+// ground.
 #ifndef ALPENGLOW_ATMOSPHERE_SUN_MAPPING_GLSL
 #define ALPENGLOW_ATMOSPHERE_SUN_MAPPING_GLSL
 #include "atmosphere/math.glsl"
 #include "interop/atmosphere.h"
 SHADER_NAMESPACE_BEGIN
 
-// mu_s = sinh(a X) / sinh(a) with -1 <= X <= 1: a step at the terminator is a / sinh(a) = 0.15 of a linear one, and a step
-// at the zenith 4. A linear cosine is 40 to 70 % off at -6 degrees.
+// mu_s = sinh(a X) / sinh(a) with -1 <= X <= 1: a step at the terminator is a / sinh(a) = 0.15 of a linear one, and a
+// step at the zenith 4. A linear cosine is 40 to 70 % off at -6 degrees.
 CONSTANT float SUN_AXIS_BEND = 4.0f;
 CONSTANT float SUN_AXIS_SINH = 27.2899172f; // sinh(SUN_AXIS_BEND)
 

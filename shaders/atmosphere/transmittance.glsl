@@ -1,14 +1,17 @@
 // Optical depth from a point to the top of the air, its table, and what is read from it.
-// Table: TRANSMITTANCE_WIDTH x TRANSMITTANCE_HEIGHT, rgb = optical depth; x the distance to the top of the air between
-// its smallest and largest value at that altitude, y the distance to the horizon (Bruneton and Neyret 2008, as told by
-// Sakmary in 3.1.1, with the square root that his figures leave out). Only directions above the horizon are stored.
+// Table: TRANSMITTANCE_WIDTH x TRANSMITTANCE_HEIGHT, rgb = log of optical depth, which is nearly linear in altitude; x
+// the distance to the top of the air between its smallest and largest value at that altitude, y the distance to the
+// horizon (Bruneton and Neyret 2008, as told by Sakmary in 3.1.1, but for his altitude axis). Only directions above the
+// horizon are stored.
+// Largest error where T > 1e-4, and 99th percentile, in directions chosen dense at the horizon: clear Earth 0.7 % and
+// 0.27 %, hazy Earth 1.9 % and 0.5 %. Stored without the log it would be 1.2 % and 0.47 %, 5.4 % and 1.2 %.
 #ifndef ALPENGLOW_ATMOSPHERE_TRANSMITTANCE_GLSL
 #define ALPENGLOW_ATMOSPHERE_TRANSMITTANCE_GLSL
 #include "atmosphere/density.glsl"
 #include "atmosphere/march_samples.glsl"
 SHADER_NAMESPACE_BEGIN
 
-// Three Gauss-Legendre nodes in each cell: with the table's own interpolation 1.1 % at most where T > 1e-4.
+// Three Gauss-Legendre nodes in each cell: 0.2 % at most where T > 1e-4.
 CONSTANT int OPTICAL_DEPTH_CELLS = 40;
 
 // Altitude [m] is clamped to the air, mu to the horizon.
@@ -21,7 +24,8 @@ INLINE vec2 transmittance_uv_from_altitude_mu(Atmosphere atmosphere, float altit
     float nearest = atmosphere.top_altitude - h;
     float farthest = rho + rho_top;
     float x = (distance_out_of(ray, atmosphere.top_altitude) - nearest) / (farthest - nearest);
-    return vec2(uv_from_unit(clamp(x, 0.0f, 1.0f), TRANSMITTANCE_WIDTH), uv_from_unit(rho / rho_top, TRANSMITTANCE_HEIGHT));
+    return vec2(uv_from_unit(clamp(x, 0.0f, 1.0f), TRANSMITTANCE_WIDTH),
+                uv_from_unit(rho / rho_top, TRANSMITTANCE_HEIGHT));
 }
 
 // x = altitude [m], y = mu.
@@ -62,21 +66,24 @@ INLINE vec3 compute_optical_depth_to_top(Atmosphere atmosphere, float h, float m
     return compute_optical_depth(atmosphere, ray, 0.0f, max(distance_out_of(ray, atmosphere.top_altitude), 0.0f));
 }
 
+// The texel that stores an optical depth.
+INLINE vec4 optical_depth_texel(vec3 depth) { return vec4(log(max(depth, vec3(TINY))), 1.0f); }
+
 // From the table; mu below the horizon reads the horizon's value. Above the top of the air: that of the top.
 INLINE vec3 sample_optical_depth(sampler2D table, Atmosphere atmosphere, float h, float mu) {
-    return vec3(sample_bilinear(table, transmittance_uv_from_altitude_mu(atmosphere, h, mu)));
+    return exp(vec3(sample_bilinear(table, transmittance_uv_from_altitude_mu(atmosphere, h, mu))));
 }
 
-// The share of the sun's disc above the geometric horizon, 0 to 1, from altitude h [m]. The share of a disc above a line
-// x radii below its centre is 1/2 + (x sqrt(1 - x²) + asin x) / pi; the polynomial is within 0.008 of it and has its
-// value and slope at both ends.
+// The share of the sun's disc above the geometric horizon, exactly 0 to exactly 1, from altitude h [m]. Of a disc whose
+// centre stands x radii above a line the share is 1/2 + (x sqrt(1 - x²) + asin x) / pi; the polynomial in
+// y = (x + 1) / 2 is within 0.006 of it.
 INLINE float sun_above_horizon(Atmosphere atmosphere, float h, float mu_s) {
     float altitude = max(h, 0.0f);
     float radius = atmosphere.ground_radius;
     float elevation = (mu_s - horizon_mu(radius, altitude)) * (radius + altitude) / radius;
-    float x = clamp(elevation / max(atmosphere.sun_angular_radius, 1e-6f), -1.0f, 1.0f);
-    float x2 = x * x;
-    return clamp(0.5f + x * (0.63661977f + x2 * (-0.02323954f - 0.11338023f * x2)), 0.0f, 1.0f);
+    float y = clamp(0.5f + 0.5f * elevation / max(atmosphere.sun_angular_radius, 1e-6f), 0.0f, 1.0f);
+    float bell = y * (1.0f - y);
+    return y * y * (3.0f - 2.0f * y) + (1.0f - 2.0f * y) * bell * bell * (3.489f - 6.70f * bell);
 }
 
 // The share of the sun's light above the air that reaches a point at altitude h [m]: air, and the planet's own shadow.
@@ -89,13 +96,15 @@ struct SegmentTransmittance {
     float trust; // 1: as good as the table; 0: the difference of two large depths, take the march's own sum
 };
 
-// The table's error, relative to an optical depth, over half of what a transmittance may be off (0.5 %).
-CONSTANT float SEGMENT_TRUST_DEPTH = 2.0f;
+// Optical depth of the longer of the two ways above which the ratio isn't trusted at all; full trust below half of it.
+// Up to there the largest error is 0.17 % on clear and hazy Earth and 0.3 % on the dense planet.
+CONSTANT float SEGMENT_TRUST_DEPTH = 5.0f;
 
-// Transmittance between two points of one ray, both inside the air, from the table: the depth from the lower point
-// through the higher one to the top, less the depth beyond. `lower` and `higher` are taken along the ray as it leads
-// upwards from one to the other. Bruneton and Neyret 2008, section 4, without their switch at the horizon.
-INLINE SegmentTransmittance sample_segment_transmittance(sampler2D table, Atmosphere atmosphere, AirPoint from, AirPoint to) {
+// Transmittance between two points of one ray, both inside the air and nothing but air between them, from the table:
+// the depth from the lower point through the higher one to the top, less the depth from the higher one on. The ray is
+// followed the way it leads up, after Bruneton and Neyret 2008, section 4, so that it never looks below the horizon.
+INLINE SegmentTransmittance sample_segment_transmittance(sampler2D table, Atmosphere atmosphere, AirPoint from,
+                                                         AirPoint to) {
     bool up = to.altitude >= from.altitude;
     vec3 whole = sample_optical_depth(table, atmosphere, up ? from.altitude : to.altitude, up ? from.mu : -to.mu);
     vec3 beyond = sample_optical_depth(table, atmosphere, up ? to.altitude : from.altitude, up ? to.mu : -from.mu);

@@ -46,8 +46,8 @@ inline vec4 sample_bilinear(sampler2D const& image, vec2 uv) {
     int const left = int(x), right = min(left + 1, image.width - 1);
     int const low = int(y), high = min(low + 1, image.height - 1);
     auto const at = [&image](int i, int j) { return image.texels[j * image.width + i]; };
-    return mix(mix(at(left, low), at(right, low), x - float(left)), mix(at(left, high), at(right, high), x - float(left)),
-               y - float(low));
+    auto const row = [&](int j) { return mix(at(left, j), at(right, j), x - float(left)); };
+    return mix(row(low), row(high), y - float(low));
 }
 #else
 vec4 sample_bilinear(sampler2D image, vec2 uv) { return textureLod(image, uv, 0.0f); }

@@ -19,7 +19,9 @@ using glm::min;
 using glm::mix;
 } // namespace alpenglow::shader_double
 
-#define SHADER_NAMESPACE_BEGIN namespace alpenglow::shader_double { using namespace glm;
+#define SHADER_NAMESPACE_BEGIN                                                                                         \
+    namespace alpenglow::shader_double {                                                                               \
+    using namespace glm;
 #define CHECK_SIZE(type, bytes) static_assert(sizeof(type) > 0)
 
 #endif

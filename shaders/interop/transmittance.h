@@ -4,6 +4,7 @@
 #include "interop/frame.h"
 
 #define TRANSMITTANCE_FRAME_SLOT 0 // uniform buffer: FrameConstants
-#define TRANSMITTANCE_TABLE_SLOT 1 // out, rgba32f, TRANSMITTANCE_WIDTH x TRANSMITTANCE_HEIGHT: rgb = optical depth
+// Out, rgba32f, TRANSMITTANCE_WIDTH x TRANSMITTANCE_HEIGHT: rgb = log of optical depth.
+#define TRANSMITTANCE_TABLE_SLOT 1
 
 #endif

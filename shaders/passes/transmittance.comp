@@ -12,5 +12,5 @@ void main() {
     ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
     vec2 uv = (vec2(texel) + vec2(0.5f)) / vec2(TRANSMITTANCE_WIDTH, TRANSMITTANCE_HEIGHT);
     vec2 node = transmittance_altitude_mu_from_uv(frame.atmosphere, uv);
-    imageStore(table, texel, vec4(compute_optical_depth_to_top(frame.atmosphere, node.x, node.y), 1.0f));
+    imageStore(table, texel, optical_depth_texel(compute_optical_depth_to_top(frame.atmosphere, node.x, node.y)));
 }
