@@ -16,8 +16,8 @@ namespace {
 constexpr std::size_t most_vertices = std::size_t{16} << 20; // 1.1 GiB
 constexpr std::size_t most_indices = std::size_t{192} << 20; // 0.8 GiB
 
-/// What an attribute may be made of (glTF 2.0, section 3.7.2.1): component types, each a bit of `component_bit`, that must
-/// be normalized where they are integers; and those that KHR_mesh_quantization adds, normalized or not.
+/// What an attribute may be made of (glTF 2.0, section 3.7.2.1): integers that must be
+/// normalized, and those that KHR_mesh_quantization adds, normalized or not, as sets of bits. Floats always may be.
 struct AttributeForm {
     std::string_view name;
     int fewest_rows, most_rows;

@@ -1,8 +1,9 @@
 #include "scene/gltf_schema.h"
 
-#include <array>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <fmt/format.h>
 #include <limits>
 #include <span>
 
@@ -16,7 +17,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double largest_int = std::numeric_limits<int>::max();
 constexpr double largest_size = 9007199254740992.0; // 2^53: exact in a double
 
-enum class Kind { object, filled_object, array, filled_array, text, boolean, integer, number, numbers, index };
+enum class Kind { object, filled_object, filled_array, text, boolean, integer, number, numbers, index };
 
 /// What may stand at a path. "*" stands for each element of an array, "%" for each member of an object.
 struct Rule {
@@ -157,7 +158,6 @@ private:
         switch (rule_.kind) {
         case Kind::object: return require(value.is_object(), "must be an object");
         case Kind::filled_object: return require(value.is_object() && !value.empty(), "must be an object that is not empty");
-        case Kind::array: return require(value.is_array(), "must be an array");
         case Kind::filled_array: return require(value.is_array() && !value.empty(), "must be an array that is not empty");
         case Kind::boolean: return require(value.is_boolean(), "must be true or false");
         case Kind::text:
@@ -183,8 +183,8 @@ private:
     }
 
     void check_range(double number) const {
-        if (number < rule_.lowest) fail("is below " + Json(rule_.lowest).dump());
-        if (number > rule_.highest) fail("is above " + Json(rule_.highest).dump());
+        if (number < rule_.lowest) fail(fmt::format("is below {}", rule_.lowest));
+        if (number > rule_.highest) fail(fmt::format("is above {}", rule_.highest));
     }
 
     void check_integer(Json& value) const {
