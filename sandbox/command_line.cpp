@@ -23,7 +23,7 @@ CLI::Option* add_value(CLI::App& app, std::string const& name, std::string const
             name,
             [name, take = std::move(take)](std::vector<std::string> const& given) {
                 for (std::string const& text : given) {
-                    if (text.empty() || text.starts_with("--")) throw Error(ErrorKind::wrong_use, name + " needs a value");
+                    if (text.starts_with("--")) throw Error(ErrorKind::wrong_use, name + " needs a value");
                     take(text);
                 }
             },

@@ -47,6 +47,7 @@ SamplerState sampler_state(Texture const& texture) {
     auto const filter = [](TextureFilter f) { return f == TextureFilter::linear ? VK_FILTER_LINEAR : VK_FILTER_NEAREST; };
     SamplerState state{filter(texture.magnify), filter(texture.minify)};
     state.use_mips = texture.mipmaps;
+    state.mips = VK_SAMPLER_MIPMAP_MODE_LINEAR;
     state.u = address_mode(texture.wrap_u);
     state.v = address_mode(texture.wrap_v);
     return state;
