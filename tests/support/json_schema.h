@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <string>
 
 namespace alpenglow::test {
@@ -57,7 +58,8 @@ inline std::string schema_objection(Json const& schema, Json const& value, std::
     for (Json const& name : schema.value("required", Json::array())) {
         if (!value.contains(name.get<std::string>())) return at + ": has no " + name.dump();
     }
-    for (auto const& [key, needed] : schema.value("dependentRequired", Json::object()).items()) {
+    Json const dependent = schema.value("dependentRequired", Json::object());
+    for (auto const& [key, needed] : dependent.items()) {
         for (Json const& name : needed) {
             if (value.contains(key) && !value.contains(name.get<std::string>())) return at + ": " + key + " needs " + name.dump();
         }
