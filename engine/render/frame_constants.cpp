@@ -1,5 +1,7 @@
 #include "render/frame_constants.h"
 
+#include "interop/display.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -80,6 +82,8 @@ glm::dvec2 supersample_offset(int index, int count) {
     if (count == 1) return {0, 0};
     return {radical_inverse(index + 1, 2) - 0.5, radical_inverse(index + 1, 3) - 0.5};
 }
+
+int curve_index(std::string_view name) { return name == "exponential" ? CURVE_EXPONENTIAL : CURVE_FILMIC; }
 
 shader::Atmosphere atmosphere_of(Planet const& planet) {
     Air const& air = planet.air;

@@ -13,6 +13,9 @@ constexpr double NEAR_PLANE = 0.1; // [m]
 /// The supersamples of one pixel: offsets in pixels from its centre, the first of one is the centre itself.
 glm::dvec2 supersample_offset(int index, int count);
 
+/// interop/display.h's constant for a tone curve's name in the settings.
+int curve_index(std::string_view name);
+
 shader::Atmosphere atmosphere_of(Planet const& planet);
 
 /// Everything the shaders know of a frame. `ceiling` [m]: the highest place of any mesh above the planet's radius.

@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "encoding/octahedral.glsl"
-#include "passes/mesh_material.glsl"
+#include "frame/mesh_material.glsl"
 
 layout(location = 0) in vec3 relative;
 layout(location = 1) in vec3 normal;

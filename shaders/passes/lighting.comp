@@ -21,8 +21,8 @@ layout(set = 0, binding = LIGHTING_SKY_IRRADIANCE_SLOT) uniform sampler2D sky_ir
 layout(set = 0, binding = LIGHTING_LIT_SLOT, rgba32f) uniform writeonly image2D lit_image;
 layout(push_constant, scalar) uniform Push { LightingPush push; };
 
-#include "passes/air_march.glsl"
-#include "passes/sun_shadow.glsl"
+#include "frame/air_march.glsl"
+#include "frame/sun_shadow.glsl"
 
 bool has_flag(int flag) { return (frame.flags & flag) != 0; }
 

@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
-#include "passes/mesh_material.glsl"
+#include "frame/mesh_material.glsl"
 
 // A cut-out material in a shadow cascade: holes let the sun through.
 layout(location = 3) in vec4 uv;

@@ -37,14 +37,15 @@ std::map<std::string, Names> const ALLOWED = {
     {"engine/reference", {"reference", "scene", "core", "surface"}},
     {"shaders/interop", {"interop"}},
     {"shaders/atmosphere", {"interop", "atmosphere"}},
-    {"shaders/surface", {"interop", "surface", "encoding"}},
+    {"shaders/surface", {"interop", "surface", "encoding", "atmosphere"}},
     {"shaders/encoding", {"interop", "encoding"}},
-    {"shaders/passes", {"interop", "atmosphere", "surface", "encoding"}},
+    {"shaders/frame", {"interop", "atmosphere", "surface", "encoding", "frame"}},
+    {"shaders/passes", {"interop", "atmosphere", "surface", "encoding", "frame"}},
     {"sandbox", {"sandbox", "render", "reference", "terrain", "scene", "gpu", "image", "core", "interop"}},
 };
 
 /// These layers are linked privately: a header that includes them would hand them on.
-std::map<std::string, Names> const ONLY_IN_SOURCES = {{"engine/scene", {"image"}}, {"engine/terrain", {"image"}}};
+std::map<std::string, Names> const ONLY_IN_SOURCES = {{"engine/scene", {"image"}}};
 
 Names const WITHOUT_VULKAN = {"engine/core", "engine/image", "engine/scene", "engine/terrain", "engine/reference"};
 

@@ -1,9 +1,10 @@
 #include "render/passes/air_tables.h"
 
-#include "embedded_shaders.h"
 #include "interop/multiple_scattering.h"
 #include "interop/sky_irradiance.h"
 #include "interop/transmittance.h"
+
+#include <embedded_shaders.h>
 
 namespace alpenglow {
 

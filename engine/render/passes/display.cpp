@@ -1,13 +1,12 @@
 #include "render/passes/display.h"
 
-#include "embedded_shaders.h"
 #include "interop/display.h"
+#include "render/frame_constants.h"
 
+#include <embedded_shaders.h>
 #include <cmath>
 
 namespace alpenglow {
-
-int curve_index(std::string_view name) { return name == "exponential" ? CURVE_EXPONENTIAL : CURVE_FILMIC; }
 
 void add_display_to(FrameGraph& graph, ImageId radiance, Settings const& settings, ImageId picture) {
     shader::DisplayPush const push{static_cast<float>(std::exp2(settings.exposure)), curve_index(settings.curve), settings.dither};

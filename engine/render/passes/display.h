@@ -10,7 +10,4 @@ void add_display_to(FrameGraph& graph, ImageId radiance, Settings const& setting
 /// The same into an image of the frame.
 ImageId add_display(FrameGraph& graph, ImageId radiance, Settings const& settings);
 
-/// The shader's constant for a curve's name in the settings.
-int curve_index(std::string_view name);
-
 } // namespace alpenglow

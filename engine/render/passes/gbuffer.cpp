@@ -1,7 +1,8 @@
 #include "render/passes/gbuffer.h"
 
-#include "embedded_shaders.h"
 #include "interop/gbuffer.h"
+
+#include <embedded_shaders.h>
 
 namespace alpenglow {
 

@@ -1,7 +1,8 @@
 #include "render/passes/lighting.h"
 
-#include "embedded_shaders.h"
 #include "interop/lighting.h"
+
+#include <embedded_shaders.h>
 
 namespace alpenglow {
 

@@ -1,7 +1,8 @@
 #include "render/passes/post_aa.h"
 
-#include "embedded_shaders.h"
 #include "interop/display.h"
+
+#include <embedded_shaders.h>
 
 namespace alpenglow {
 

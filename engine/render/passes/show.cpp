@@ -1,11 +1,10 @@
 #include "render/passes/show.h"
 
 #include "core/error.h"
-#include "embedded_shaders.h"
 #include "interop/display.h"
 #include "render/frame_constants.h"
-#include "render/passes/display.h"
 
+#include <embedded_shaders.h>
 #include <cmath>
 
 namespace alpenglow {

@@ -1,7 +1,8 @@
 #include "render/passes/sun_shadow.h"
 
-#include "embedded_shaders.h"
 #include "interop/gbuffer.h"
+
+#include <embedded_shaders.h>
 
 namespace alpenglow {
 

@@ -1,6 +1,6 @@
 // Set 1 of mesh draws: the material's constants and textures.
-#ifndef ALPENGLOW_PASSES_MESH_MATERIAL
-#define ALPENGLOW_PASSES_MESH_MATERIAL
+#ifndef ALPENGLOW_FRAME_MESH_MATERIAL
+#define ALPENGLOW_FRAME_MESH_MATERIAL
 #include "interop/gbuffer.h"
 
 layout(set = 1, binding = MATERIAL_CONSTANTS_SLOT, scalar) uniform MaterialBlock { MaterialConstants material; };

@@ -1,7 +1,7 @@
 // Looking into the shadow cascades. A cascade is chosen without branches: they are nested, so that the number of those that
 // a place lies outside of is the index of the first that holds it.
-#ifndef ALPENGLOW_PASSES_SUN_SHADOW
-#define ALPENGLOW_PASSES_SUN_SHADOW
+#ifndef ALPENGLOW_FRAME_SUN_SHADOW
+#define ALPENGLOW_FRAME_SUN_SHADOW
 #include "interop/frame.h"
 
 // Place across the sun's rays in cascade i, 0 to 1.

@@ -1,9 +1,9 @@
 // The march from the camera to the surface or out of the air, with the sun's light seen through the shadow cascades.
 // A ray is cut in three: before, inside and behind the span where a mesh can shade the air. The span has at least half of
 // the samples, evenly; the rest are placed by altitude. Included by the lighting pass, whose images it reads.
-#ifndef ALPENGLOW_PASSES_AIR_MARCH
-#define ALPENGLOW_PASSES_AIR_MARCH
-#include "passes/sun_shadow.glsl"
+#ifndef ALPENGLOW_FRAME_AIR_MARCH
+#define ALPENGLOW_FRAME_AIR_MARCH
+#include "frame/sun_shadow.glsl"
 
 // Distances from the ray's origin [m]; empty where end <= begin.
 struct Span {
