@@ -66,7 +66,7 @@ DetailPictures make_detail_pictures(std::uint32_t seed, int size, int threads) {
     Extent const extent{static_cast<std::uint32_t>(size), static_cast<std::uint32_t>(size)};
     DetailPictures pictures{ByteImage(extent), ByteImage(extent)};
     double const texel = DETAIL_PERIOD / size;
-    constexpr double relief = 0.011; // [m] standard deviation of the grain's height
+    constexpr double relief = 0.006; // [m] standard deviation of the grain's height
     parallel_for(size, threads, [&](int row) {
         for (int x = 0; x < size; ++x) {
             auto const column = static_cast<std::uint32_t>(x), line = static_cast<std::uint32_t>(row);

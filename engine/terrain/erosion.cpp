@@ -64,8 +64,8 @@ Rock make_rock(HeightField const& field, Island const& island, ErosionOptions co
             double const e = field.position(i), n = field.position(j), x = e / options.side, y = n / options.side;
             std::size_t const node = field.index(i, j);
             rock.uplift[node] = static_cast<float>(UPLIFT * island.uplift(e, n));
-            double const strong = fractal_noise(options.seed + 71, 40 * x, 40 * y, 5);
-            rock.steepest[node] = static_cast<float>(std::clamp(0.80 + 0.45 * strong, 0.5, 1.25));
+            double const strong = fractal_noise(options.seed + 71, 70 * x, 70 * y, 5);
+            rock.steepest[node] = static_cast<float>(std::clamp(0.85 + 0.9 * strong, 0.45, 1.7));
             rock.softness[node] = static_cast<float>(std::exp(-0.8 * fractal_noise(options.seed + 83, 22 * x, 22 * y, 6)));
         }
     });
@@ -130,7 +130,7 @@ void smooth(HeightField& field, int rounds, int threads) {
                 for (int b = -1; b <= 1; ++b) {
                     for (int a = -1; a <= 1; ++a) mean += before.at(i + a, j + b) / 9.0;
                 }
-                double const share = std::lerp(0.3, 1.0, smooth_step(0.45, 0.08, slope));
+                double const share = std::lerp(0.15, 1.0, smooth_step(0.45, 0.08, slope));
                 field.at(i, j) = static_cast<float>(std::max(std::lerp(double(before.at(i, j)), mean, share), 0.2));
             }
         });
@@ -166,7 +166,7 @@ HeightField make_eroded_field(ErosionOptions const& options, std::function<void(
     }
     fill_pits(field, SEA);
     if (options.strength > 0) fill_valleys(field, route_water(field, SEA, options.seed, options.threads), options.side);
-    smooth(field, 5, options.threads);
+    smooth(field, 4, options.threads);
     return field;
 }
 

@@ -20,7 +20,7 @@ double gullies(std::uint32_t seed, glm::dvec2 place, glm::dvec2 slope, double sp
     for (std::uint32_t octave = 0; octave < 6; ++octave, wave *= 0.53) {
         double const share = shown(wave, spacing), steepness = glm::length(slope);
         if (share <= 0) break;
-        double const height = share * 0.055 * wave * smooth_step(0.12, 0.75, steepness);
+        double const height = share * 0.075 * wave * smooth_step(0.12, 0.75, steepness);
         if (height <= 0) break;
         Gully const gully = gully_noise(seed + octave, place / wave, -slope / steepness);
         sum += height * gully.height;

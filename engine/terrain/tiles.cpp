@@ -28,10 +28,10 @@ bool all_under_sea(HeightField const& field, double west, double south, double s
 bool wants_split(Relief const& relief, TileKey const& key) {
     double const side = relief.field().side(), size = tile_side(side, key.level), spacing = size / Tile::CELLS;
     double const west = -0.5 * side + key.x * size, south = -0.5 * side + key.y * size;
-    // Half of the tile counts as near: a tile that a fine place's circle only touches stays coarse.
-    double wanted = relief.fineness().spacing(west + 0.5 * size, south + 0.5 * size, 0.25 * size);
+    // Near the middle: a tile that a fine place's circle only touches stays coarse.
+    double wanted = relief.fineness().spacing(west + 0.5 * size, south + 0.5 * size, 0.1 * size);
     if (all_under_sea(relief.field(), west, south, size)) wanted = 2 * Fineness::COARSEST;
-    return spacing > 1.3 * wanted;
+    return spacing > 1.4 * wanted;
 }
 
 std::uint16_t unorm16(double x) { return static_cast<std::uint16_t>(std::lround(65535 * std::clamp(x, 0.0, 1.0))); }

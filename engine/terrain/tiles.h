@@ -20,10 +20,10 @@ struct TileVertex {
 };
 static_assert(sizeof(TileVertex) == 40);
 
-/// A square of 32 x 32 cells. Its vertices, (33 y + x), all lie on a lattice of 1/1024 m in the scene frame, and its origin on one of
+/// A square of 16 x 16 cells. Its vertices, (17 y + x), all lie on a lattice of 1/1024 m in the scene frame, and its origin on one of
 /// 1 m, so that origin + position is exact and two tiles that share a vertex agree on it to the bit.
 struct Tile {
-    static constexpr int CELLS = 32, NODES = CELLS + 1;
+    static constexpr int CELLS = 16, NODES = CELLS + 1;
 
     TileKey key;
     unsigned coarser = 0; ///< TileSide bits: which triangles it has (tile_indices)
