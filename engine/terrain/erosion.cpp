@@ -124,13 +124,16 @@ void smooth(HeightField& field, int rounds, int threads) {
             int const j = row + 1;
             for (int i = 1; i + 1 < field.nodes(); ++i) {
                 if (before.at(i, j) <= SEA) continue;
-                double const de = before.at(i + 1, j) - before.at(i - 1, j), dn = before.at(i, j + 1) - before.at(i, j - 1);
-                double const slope = std::hypot(de, dn) / (2 * field.cell());
-                double mean = 0;
+                // The steepest way to a neighbour: central differences take a crest for flat ground.
+                double mean = 0, step = 0;
                 for (int b = -1; b <= 1; ++b) {
-                    for (int a = -1; a <= 1; ++a) mean += before.at(i + a, j + b) / 9.0;
+                    for (int a = -1; a <= 1; ++a) {
+                        mean += before.at(i + a, j + b) / 9.0;
+                        step = std::max(step, std::abs(double(before.at(i + a, j + b)) - before.at(i, j)));
+                    }
                 }
-                double const share = std::lerp(0.15, 1.0, smooth_step(0.45, 0.08, slope));
+                double const slope = step / (1.2 * field.cell());
+                double const share = std::lerp(0.10, 1.0, smooth_step(0.45, 0.08, slope));
                 field.at(i, j) = static_cast<float>(std::max(std::lerp(double(before.at(i, j)), mean, share), 0.2));
             }
         });

@@ -39,10 +39,15 @@ int GltfWriter::add_png(std::string const& name, std::vector<std::byte> png) {
     return static_cast<int>(pictures_.size()) - 1;
 }
 
-void GltfWriter::write(std::filesystem::path const& file) {
-    if (file.extension() == ".glb") return write_glb(file);
-    if (file.extension() == ".gltf") return write_gltf(file);
+void GltfWriter::require_known_ending(std::filesystem::path const& file) {
+    if (file.extension() == ".glb" || file.extension() == ".gltf") return;
     throw Error(ErrorKind::wrong_use, "is neither .glb nor .gltf", file.string(), "give the file one of these endings");
+}
+
+void GltfWriter::write(std::filesystem::path const& file) {
+    require_known_ending(file);
+    if (file.extension() == ".glb") write_glb(file);
+    else write_gltf(file);
 }
 
 void GltfWriter::write_glb(std::filesystem::path const& file) {

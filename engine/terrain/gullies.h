@@ -7,7 +7,7 @@ namespace alpenglow {
 
 struct Gully {
     double height = 0;      ///< -1 in a gully, 1 on the rib beside it
-    glm::dvec2 slope{0};    ///< its derivative along the map's axes, for coordinates in wavelengths
+    glm::dvec2 slope{0};    ///< about its derivative along the map's axes, for coordinates in wavelengths; continuous
 };
 
 /// Ribs and gullies, one a unit, that run along the unit vector `downhill`: waves from jittered lattice points, blended by

@@ -43,4 +43,13 @@ HeightSample HeightField::sample(double east, double north) const {
     return result;
 }
 
+double HeightField::rough_altitude(double east, double north) const {
+    double const x = std::clamp((east / side_ + 0.5) * (nodes_ - 1), 0.0, nodes_ - 1.0);
+    double const y = std::clamp((north / side_ + 0.5) * (nodes_ - 1), 0.0, nodes_ - 1.0);
+    int const i = std::min(static_cast<int>(x), nodes_ - 2), j = std::min(static_cast<int>(y), nodes_ - 2);
+    double const south_side = std::lerp(double(at(i, j)), double(at(i + 1, j)), x - i);
+    double const north_side = std::lerp(double(at(i, j + 1)), double(at(i + 1, j + 1)), x - i);
+    return std::lerp(south_side, north_side, y - j);
+}
+
 } // namespace alpenglow

@@ -23,12 +23,12 @@ struct Candidate {
 /// Of the skyline [degrees] from one azimuth to another.
 struct Skyline {
     double mean = 0, lowest = 90;
-    double jags = 0; ///< mean bend from one 2.5 degree step to the next
+    double jags = 0; ///< mean bend from one step to the next
 };
 
-Skyline skyline(HeightField const& field, Candidate const& c, double radius, double from, double to) {
+Skyline skyline(HeightField const& field, Candidate const& c, double radius, double from, double to, double step = 2.5) {
     std::vector<double> elevations;
-    for (double azimuth = from; azimuth <= to; azimuth += 2.5) {
+    for (double azimuth = from; azimuth <= to; azimuth += step) {
         elevations.push_back(skyline_elevation(field, c.east, c.north, c.altitude + EYE, azimuth * DEGREE, radius) / DEGREE);
     }
     Skyline line;
@@ -42,7 +42,7 @@ Skyline skyline(HeightField const& field, Candidate const& c, double radius, dou
 }
 
 double altitude_at(HeightField const& field, Candidate const& c, double distance, double heading) {
-    return field.sample(c.east + distance * std::sin(heading * DEGREE), c.north + distance * std::cos(heading * DEGREE)).altitude;
+    return field.rough_altitude(c.east + distance * std::sin(heading * DEGREE), c.north + distance * std::cos(heading * DEGREE));
 }
 
 /// Uphill to a summit that is not far away.
@@ -52,7 +52,7 @@ Candidate climbed(HeightField const& field, Candidate c) {
         Candidate best = c;
         for (double heading = 0; heading < 360; heading += 45) {
             double const e = c.east + step * std::sin(heading * DEGREE), n = c.north + step * std::cos(heading * DEGREE);
-            if (double const h = field.sample(e, n).altitude; h > best.altitude) best = {e, n, h};
+            if (double const h = field.rough_altitude(e, n); h > best.altitude) best = {e, n, h};
         }
         if (best.altitude <= c.altitude) break;
         c = best;
@@ -65,7 +65,7 @@ double roughness(HeightField const& field, Candidate const& c, double reach) {
     double lowest = 1e9, highest = -1e9;
     for (int b = -2; b <= 2; ++b) {
         for (int a = -2; a <= 2; ++a) {
-            double const h = field.sample(c.east + 0.5 * a * reach, c.north + 0.5 * b * reach).altitude;
+            double const h = field.rough_altitude(c.east + 0.5 * a * reach, c.north + 0.5 * b * reach);
             lowest = std::min(lowest, h), highest = std::max(highest, h);
         }
     }
@@ -74,13 +74,13 @@ double roughness(HeightField const& field, Candidate const& c, double reach) {
 
 /// The candidate with the best score among nodes of a coarse lattice; the first of equals. `score` may move its candidate.
 Candidate best_of(HeightField const& field, int threads, std::function<std::optional<double>(Candidate&)> const& score) {
-    int const count = 240;
+    int const count = std::min(200, field.nodes() - 1);
     double const step = field.side() / count;
     std::vector<Candidate> best(count, Candidate{0, 0, 0});
     parallel_for(count, threads, [&](int j) {
         for (int i = 0; i < count; ++i) {
             Candidate c{(i + 0.5) * step - 0.5 * field.side(), (j + 0.5) * step - 0.5 * field.side(), 0};
-            c.altitude = field.sample(c.east, c.north).altitude;
+            c.altitude = field.rough_altitude(c.east, c.north);
             if (c.altitude < 5) continue;
             double const value = score(c).value_or(NOWHERE);
             c.score = value;
@@ -88,21 +88,22 @@ Candidate best_of(HeightField const& field, int threads, std::function<std::opti
         }
     });
     Candidate const chosen = *std::max_element(best.begin(), best.end(), [](auto const& a, auto const& b) { return a.score < b.score; });
-    return chosen.score > NOWHERE ? chosen : Candidate{0, 0, field.sample(0, 0).altitude};
+    return chosen.score > NOWHERE ? chosen : Candidate{0, 0, field.rough_altitude(0, 0)};
 }
 
 } // namespace
 
 double skyline_elevation(HeightField const& field, double east, double north, double eye, double azimuth, double planet_radius) {
-    double highest = -0.5 * std::numbers::pi;
+    double highest = -1e9;
     double const de = std::sin(azimuth), dn = std::cos(azimuth), border = 0.5 * field.side();
-    for (double d = 40; d < 2 * field.side(); d += std::max(30.0, 0.01 * d)) {
+    for (double d = 0.5 * field.cell(); d < 2 * field.side(); d += std::max(0.5 * field.cell(), 0.015 * d)) {
         double const e = east + d * de, n = north + d * dn;
         if (std::max(std::abs(e), std::abs(n)) > border) break;
-        double const angle = d / planet_radius, r = planet_radius + std::max(0.0, field.sample(e, n).altitude);
-        highest = std::max(highest, std::atan2(r * std::cos(angle) - planet_radius - eye, r * std::sin(angle)));
+        // The planet falls away by d^2 / 2R; the next term is a millimetre at 100 km.
+        double const above = std::max(0.0, field.rough_altitude(e, n)) - eye - 0.5 * d * d / planet_radius;
+        highest = std::max(highest, above / d);
     }
-    return highest;
+    return std::atan(highest);
 }
 
 std::vector<TerrainSite> find_sites(HeightField const& field, double planet_radius, int threads) {
@@ -119,7 +120,7 @@ std::vector<TerrainSite> find_sites(HeightField const& field, double planet_radi
         if (!central(c) || c.altitude < 0.5 * highest) return {};
         c = climbed(field, c);
         if (c.altitude > 0.85 * highest || c.altitude - altitude_at(field, c, 700, 270) < 0.05 * highest) return {};
-        Skyline const west = skyline(field, c, planet_radius, 235, 305), all = skyline(field, c, planet_radius, 0, 357.5);
+        Skyline const west = skyline(field, c, planet_radius, 235, 305), all = skyline(field, c, planet_radius, 0, 345, 15);
         return 6 * west.jags - 3 * std::abs(west.mean - 0.5) - std::max(0.0, all.mean - 1);
     });
     double heading = 0;

@@ -51,6 +51,7 @@ std::uint64_t hash_of(std::string const& text) {
 
 std::vector<TerrainSite> write_terrain(TerrainOptions const& options, std::filesystem::path const& file) {
     check_options(options);
+    GltfWriter::require_known_ending(file);
     constexpr int steps = 1000, eroded = 600, tiled = 950; // by the time that each takes
     Progress progress("Terrain", steps);
     double const side = 1000 * options.side_km;

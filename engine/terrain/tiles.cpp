@@ -87,8 +87,12 @@ std::vector<std::uint16_t> tile_indices(unsigned coarser) {
     return indices;
 }
 
+Quadtree plan_tiles(Relief const& relief) {
+    return Quadtree([&](TileKey const& key) { return wants_split(relief, key); });
+}
+
 std::vector<Tile> make_tiles(Relief const& relief, std::uint32_t seed, int threads, std::function<void(int, int)> const& tile_done) {
-    Quadtree const tree([&](TileKey const& key) { return wants_split(relief, key); });
+    Quadtree const tree = plan_tiles(relief);
     std::vector<TileKey> const keys = tree.leaves();
     int const count = static_cast<int>(keys.size());
     std::vector<Tile> tiles(keys.size());

@@ -39,7 +39,10 @@ inline constexpr double DETAIL_MEAN = 0.8;
 /// Triangles, counter-clockwise from above, of a tile with these coarser neighbours: along such a side every second vertex is unused.
 std::vector<std::uint16_t> tile_indices(unsigned coarser);
 
-/// Tiles that cover the field's square. `tile_done(done, all)` is called from any thread, one call at a time.
+/// Which tiles cover the field's square.
+Quadtree plan_tiles(Relief const& relief);
+
+/// The tiles of plan_tiles, made. `tile_done(done, all)` is called from any thread, one call at a time.
 std::vector<Tile> make_tiles(Relief const& relief, std::uint32_t seed, int threads, std::function<void(int, int)> const& tile_done);
 
 } // namespace alpenglow
