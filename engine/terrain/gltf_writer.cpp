@@ -13,14 +13,18 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "glTF is little-endian");
 
-void append(std::vector<std::byte>& to, std::span<std::byte const> bytes) { to.insert(to.end(), bytes.begin(), bytes.end()); }
+void append(std::vector<std::byte>& to, std::span<std::byte const> bytes) {
+    to.insert(to.end(), bytes.begin(), bytes.end());
+}
 
 void append_word(std::vector<std::byte>& to, std::size_t word) {
     auto const value = static_cast<std::uint32_t>(word);
     append(to, std::as_bytes(std::span(&value, 1)));
 }
 
-void align(std::vector<std::byte>& bytes, char padding) { bytes.resize((bytes.size() + 3) / 4 * 4, static_cast<std::byte>(padding)); }
+void align(std::vector<std::byte>& bytes, char padding) {
+    bytes.resize((bytes.size() + 3) / 4 * 4, static_cast<std::byte>(padding));
+}
 
 } // namespace
 
@@ -46,8 +50,10 @@ void GltfWriter::require_known_ending(std::filesystem::path const& file) {
 
 void GltfWriter::write(std::filesystem::path const& file) {
     require_known_ending(file);
-    if (file.extension() == ".glb") write_glb(file);
-    else write_gltf(file);
+    if (file.extension() == ".glb")
+        write_glb(file);
+    else
+        write_gltf(file);
 }
 
 void GltfWriter::write_glb(std::filesystem::path const& file) {

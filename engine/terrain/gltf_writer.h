@@ -21,8 +21,8 @@ public:
 
     /// Throws Error(wrong_use) where `file` ends neither with .glb nor with .gltf.
     static void require_known_ending(std::filesystem::path const& file);
-    /// One .glb, or a .gltf with its .bin and pictures beside it, the .gltf last. Throws as above, and Error(bad_input) where a
-    /// file can't be written.
+    /// One .glb, or a .gltf with its .bin and pictures beside it, the .gltf last. Throws as above, and Error(bad_input)
+    /// where a file can't be written.
     void write(std::filesystem::path const& file);
 
 private:

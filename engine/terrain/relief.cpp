@@ -35,7 +35,8 @@ double crags(std::uint32_t seed, glm::dvec2 place, double spacing) {
     for (std::uint32_t octave = 0; octave < 6; ++octave, wave *= 0.5) {
         double const share = shown(wave, spacing);
         if (share <= 0) break;
-        sum += share * 0.13 * wave * (0.5 - std::abs(gradient_noise(seed + octave, place.x / wave + octave * 0.37, place.y / wave)));
+        sum += share * 0.13 * wave *
+               (0.5 - std::abs(gradient_noise(seed + octave, place.x / wave + octave * 0.37, place.y / wave)));
     }
     return sum;
 }

@@ -26,38 +26,27 @@ struct Skyline {
     double jags = 0; ///< mean bend from one step to the next
 };
 
-Skyline skyline(HeightField const& field, Candidate const& c, double radius, double from, double to, double step = 2.5) {
+Skyline skyline(HeightField const& field, Candidate const& c, double radius, double from, double to,
+                double step = 2.5) {
     std::vector<double> elevations;
     for (double azimuth = from; azimuth <= to; azimuth += step) {
-        elevations.push_back(skyline_elevation(field, c.east, c.north, c.altitude + EYE, azimuth * DEGREE, radius) / DEGREE);
+        elevations.push_back(skyline_elevation(field, c.east, c.north, c.altitude + EYE, azimuth * DEGREE, radius) /
+                             DEGREE);
     }
     Skyline line;
     for (std::size_t k = 0; k < elevations.size(); ++k) {
         line.mean += elevations[k] / static_cast<double>(elevations.size());
         line.lowest = std::min(line.lowest, elevations[k]);
         if (k < 2) continue;
-        line.jags += std::abs(elevations[k] - 2 * elevations[k - 1] + elevations[k - 2]) / static_cast<double>(elevations.size() - 2);
+        line.jags += std::abs(elevations[k] - 2 * elevations[k - 1] + elevations[k - 2]) /
+                     static_cast<double>(elevations.size() - 2);
     }
     return line;
 }
 
 double altitude_at(HeightField const& field, Candidate const& c, double distance, double heading) {
-    return field.rough_altitude(c.east + distance * std::sin(heading * DEGREE), c.north + distance * std::cos(heading * DEGREE));
-}
-
-/// Uphill to a summit that is not far away.
-Candidate climbed(HeightField const& field, Candidate c) {
-    double const step = 0.5 * field.cell();
-    for (int k = 0; k < 8; ++k) {
-        Candidate best = c;
-        for (double heading = 0; heading < 360; heading += 45) {
-            double const e = c.east + step * std::sin(heading * DEGREE), n = c.north + step * std::cos(heading * DEGREE);
-            if (double const h = field.rough_altitude(e, n); h > best.altitude) best = {e, n, h};
-        }
-        if (best.altitude <= c.altitude) break;
-        c = best;
-    }
-    return c;
+    return field.rough_altitude(c.east + distance * std::sin(heading * DEGREE),
+                                c.north + distance * std::cos(heading * DEGREE));
 }
 
 /// Highest less lowest within a square of half side `reach` [m].
@@ -72,8 +61,10 @@ double roughness(HeightField const& field, Candidate const& c, double reach) {
     return highest - lowest;
 }
 
-/// The candidate with the best score among nodes of a coarse lattice; the first of equals. `score` may move its candidate.
-Candidate best_of(HeightField const& field, int threads, std::function<std::optional<double>(Candidate&)> const& score) {
+/// The candidate with the best score among nodes of a coarse lattice; the first of equals. `score` may move its
+/// candidate.
+Candidate best_of(HeightField const& field, int threads,
+                  std::function<std::optional<double>(Candidate&)> const& score) {
     int const count = std::min(200, field.nodes() - 1);
     double const step = field.side() / count;
     std::vector<Candidate> best(count, Candidate{0, 0, 0});
@@ -87,13 +78,15 @@ Candidate best_of(HeightField const& field, int threads, std::function<std::opti
             if (c.score > best[j].score) best[j] = c;
         }
     });
-    Candidate const chosen = *std::max_element(best.begin(), best.end(), [](auto const& a, auto const& b) { return a.score < b.score; });
+    Candidate const chosen =
+        *std::max_element(best.begin(), best.end(), [](auto const& a, auto const& b) { return a.score < b.score; });
     return chosen.score > NOWHERE ? chosen : Candidate{0, 0, field.rough_altitude(0, 0)};
 }
 
 } // namespace
 
-double skyline_elevation(HeightField const& field, double east, double north, double eye, double azimuth, double planet_radius) {
+double skyline_elevation(HeightField const& field, double east, double north, double eye, double azimuth,
+                         double planet_radius) {
     double highest = -1e9;
     double const de = std::sin(azimuth), dn = std::cos(azimuth), border = 0.5 * field.side();
     for (double d = 0.5 * field.cell(); d < 2 * field.side(); d += std::max(0.5 * field.cell(), 0.015 * d)) {
@@ -104,6 +97,19 @@ double skyline_elevation(HeightField const& field, double east, double north, do
         highest = std::max(highest, above / d);
     }
     return std::atan(highest);
+}
+
+void climb(std::function<double(double, double)> const& ground, double step, int most, double& east, double& north) {
+    double altitude = ground(east, north);
+    for (int k = 0; k < most; ++k) {
+        double best_east = east, best_north = north, best = altitude;
+        for (double heading = 0; heading < 360; heading += 45) {
+            double const e = east + step * std::sin(heading * DEGREE), n = north + step * std::cos(heading * DEGREE);
+            if (double const h = ground(e, n); h > best) best_east = e, best_north = n, best = h;
+        }
+        if (best <= altitude) return;
+        east = best_east, north = best_north, altitude = best;
+    }
 }
 
 std::vector<TerrainSite> find_sites(HeightField const& field, double planet_radius, int threads) {
@@ -118,23 +124,27 @@ std::vector<TerrainSite> find_sites(HeightField const& field, double planet_radi
     });
     Candidate const ridge = best_of(field, threads, [&](Candidate& c) -> std::optional<double> {
         if (!central(c) || c.altitude < 0.5 * highest) return {};
-        c = climbed(field, c);
+        climb([&](double e, double n) { return field.rough_altitude(e, n); }, 0.5 * field.cell(), 8, c.east, c.north);
+        c.altitude = field.rough_altitude(c.east, c.north);
         if (c.altitude > 0.85 * highest || c.altitude - altitude_at(field, c, 700, 270) < 0.05 * highest) return {};
-        Skyline const west = skyline(field, c, planet_radius, 235, 305), all = skyline(field, c, planet_radius, 0, 345, 15);
+        Skyline const west = skyline(field, c, planet_radius, 235, 305),
+                      all = skyline(field, c, planet_radius, 0, 345, 15);
         return 6 * west.jags - 3 * std::abs(west.mean - 0.5) - std::max(0.0, all.mean - 1);
     });
     double heading = 0;
     Candidate noon{0, 0, 0};
     for (double towards : {315.0, 0.0, 45.0}) { // away from the sun at noon
         Candidate const found = best_of(field, threads, [&](Candidate& c) -> std::optional<double> {
-            if (!central(c) || c.altitude < 0.3 * highest || c.altitude > 0.5 * highest || roughness(field, c, 120) > 80) return {};
+            if (!central(c) || c.altitude < 0.3 * highest || c.altitude > 0.5 * highest ||
+                roughness(field, c, 120) > 80)
+                return {};
             double const below = std::min(altitude_at(field, c, 1200, towards), altitude_at(field, c, 2200, towards));
             Skyline const ahead = skyline(field, c, planet_radius, towards - 35, towards + 35);
             return 4 * ahead.jags - std::abs(ahead.mean - 6) + 12 * std::min((c.altitude - below) / highest, 0.25);
         });
         if (found.score > noon.score) noon = found, heading = towards;
     }
-    return {{"valley", valley.east, valley.north, valley.altitude, 90},
+    return {{"valley", valley.east, valley.north, valley.altitude, 85},
             {"ridge", ridge.east, ridge.north, ridge.altitude, 270},
             {"noon", noon.east, noon.north, noon.altitude, heading}};
 }

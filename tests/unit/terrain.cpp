@@ -1,9 +1,9 @@
+#include "terrain/terrain.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "terrain/erosion.h"
 #include "terrain/gltf_writer.h"
 #include "terrain/sites.h"
-#include "terrain/terrain.h"
 #include "terrain/tiles.h"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,8 @@ TerrainOptions small_options(int threads) {
 
 /// A folder that goes away with the test.
 struct Folder {
-    std::filesystem::path path = std::filesystem::temp_directory_path() / ("alpenglow_terrain_" + std::to_string(::getpid()));
+    std::filesystem::path path =
+        std::filesystem::temp_directory_path() / ("alpenglow_terrain_" + std::to_string(::getpid()));
     Folder() { std::filesystem::create_directories(path); }
     ~Folder() { std::filesystem::remove_all(path); }
 };
@@ -76,7 +77,8 @@ TEST(Terrain, is_watertight_to_the_bit) {
             ++directed[{lattice(tile, indices[k]), lattice(tile, indices[next])}];
         }
     }
-    EXPECT_GE(std::count_if(std::begin(levels), std::end(levels), [](int n) { return n > 0; }), 4); // there are seams to test
+    EXPECT_GE(std::count_if(std::begin(levels), std::end(levels), [](int n) { return n > 0; }),
+              4); // there are seams to test
     std::size_t border = 0;
     for (auto const& [edge, count] : directed) {
         ASSERT_EQ(count, 1);
@@ -159,10 +161,12 @@ TEST(Terrain, the_default_size_keeps_its_budget_of_triangles) {
     HeightField field(256, 96'000);
     Island const island(1, 96'000);
     for (int j = 0; j < field.nodes(); ++j) {
-        for (int i = 0; i < field.nodes(); ++i) field.at(i, j) = island.inland(field.position(i), field.position(j)) > 0 ? 500 : -50;
+        for (int i = 0; i < field.nodes(); ++i)
+            field.at(i, j) = island.inland(field.position(i), field.position(j)) > 0 ? 500 : -50;
     }
     Fineness const fineness({{2000, 11'000, 550}, {15'000, 6000, 550}, {4000, 3000, 400}});
-    std::size_t const triangles = plan_tiles(Relief(field, fineness, 1, RADIUS)).leaves().size() * 2 * Tile::CELLS * Tile::CELLS;
+    std::size_t const triangles =
+        plan_tiles(Relief(field, fineness, 1, RADIUS)).leaves().size() * 2 * Tile::CELLS * Tile::CELLS;
     EXPECT_GT(triangles, 400'000u);
     EXPECT_LT(triangles, 650'000u);
 }
@@ -190,13 +194,15 @@ TEST(Terrain, is_one_valid_glb_and_the_same_for_any_number_of_threads) {
         auto const& view = json["bufferViews"][a["bufferView"].get<std::size_t>()];
         std::size_t const element = component.at(a["componentType"]) * count.at(a["type"]);
         std::size_t const stride = view.value("byteStride", element), offset = a.value("byteOffset", std::size_t{0});
-        ASSERT_LE(offset + stride * (a["count"].get<std::size_t>() - 1) + element, view["byteLength"].get<std::size_t>());
+        ASSERT_LE(offset + stride * (a["count"].get<std::size_t>() - 1) + element,
+                  view["byteLength"].get<std::size_t>());
         ASSERT_EQ((view["byteOffset"].get<std::size_t>() + offset) % 4, 0u);
         if (!a.contains("min")) continue;
         for (std::size_t k = 0; k < a["count"]; ++k) {
             float p[3];
             std::memcpy(p, &bytes[binary + view["byteOffset"].get<std::size_t>() + offset + stride * k], sizeof p);
-            for (std::size_t c = 0; c < 3; ++c) ASSERT_TRUE(p[c] >= a["min"][c].get<float>() && p[c] <= a["max"][c].get<float>());
+            for (std::size_t c = 0; c < 3; ++c)
+                ASSERT_TRUE(p[c] >= a["min"][c].get<float>() && p[c] <= a["max"][c].get<float>());
         }
     }
 }
@@ -211,7 +217,8 @@ TEST(Terrain, a_gltf_has_its_buffer_and_pictures_beside_it) {
     writer.write(folder.path / "small.gltf");
     auto const json = nlohmann::json::parse(read_text_file(folder.path / "small.gltf"));
     EXPECT_EQ(json["bufferViews"][1]["byteOffset"], 8); // aligned to 4
-    EXPECT_EQ(read_file(folder.path / json["buffers"][0]["uri"].get<std::string>()).size(), json["buffers"][0]["byteLength"]);
+    EXPECT_EQ(read_file(folder.path / json["buffers"][0]["uri"].get<std::string>()).size(),
+              json["buffers"][0]["byteLength"]);
     EXPECT_EQ(read_file(folder.path / json["images"][0]["uri"].get<std::string>()).size(), 7u);
 }
 
@@ -237,4 +244,11 @@ TEST(Terrain, a_skyline_of_a_step_is_where_trigonometry_puts_it) {
     double const east = skyline_elevation(field, 0, 0, 0, 0.5 * 3.14159265358979, RADIUS);
     EXPECT_NEAR(east, std::atan2(1000, 3000), 0.006); // the ray's steps are 30 m
     EXPECT_LT(skyline_elevation(field, 0, 0, 2, 1.5 * 3.14159265358979, RADIUS), 0);
+}
+
+TEST(Terrain, a_climb_ends_on_the_summit) {
+    double east = 130, north = -70;
+    climb([](double e, double n) { return 100 - std::hypot(e - 20, n - 10); }, 5, 100, east, north);
+    EXPECT_NEAR(east, 20, 5);
+    EXPECT_NEAR(north, 10, 5);
 }
