@@ -99,16 +99,16 @@ double skyline_elevation(HeightField const& field, double east, double north, do
     return std::atan(highest);
 }
 
-void climb(std::function<double(double, double)> const& ground, double step, int most, double& east, double& north) {
-    double altitude = ground(east, north);
-    for (int k = 0; k < most; ++k) {
-        double best_east = east, best_north = north, best = altitude;
-        for (double heading = 0; heading < 360; heading += 45) {
-            double const e = east + step * std::sin(heading * DEGREE), n = north + step * std::cos(heading * DEGREE);
-            if (double const h = ground(e, n); h > best) best_east = e, best_north = n, best = h;
+void move_to_highest(std::function<double(double, double)> const& ground, double reach, double step, double& east,
+                     double& north) {
+    int const most = static_cast<int>(reach / step);
+    double const from_east = east, from_north = north;
+    double best = ground(east, north);
+    for (int j = -most; j <= most; ++j) {
+        for (int i = -most; i <= most; ++i) {
+            double const e = from_east + i * step, n = from_north + j * step;
+            if (double const h = ground(e, n); h > best) best = h, east = e, north = n;
         }
-        if (best <= altitude) return;
-        east = best_east, north = best_north, altitude = best;
     }
 }
 
@@ -124,7 +124,8 @@ std::vector<TerrainSite> find_sites(HeightField const& field, double planet_radi
     });
     Candidate const ridge = best_of(field, threads, [&](Candidate& c) -> std::optional<double> {
         if (!central(c) || c.altitude < 0.5 * highest) return {};
-        climb([&](double e, double n) { return field.rough_altitude(e, n); }, 0.5 * field.cell(), 8, c.east, c.north);
+        move_to_highest([&](double e, double n) { return field.rough_altitude(e, n); }, 4 * field.cell(), field.cell(),
+                        c.east, c.north);
         c.altitude = field.rough_altitude(c.east, c.north);
         if (c.altitude > 0.85 * highest || c.altitude - altitude_at(field, c, 700, 270) < 0.05 * highest) return {};
         Skyline const west = skyline(field, c, planet_radius, 235, 305),

@@ -13,9 +13,9 @@ namespace alpenglow {
 double skyline_elevation(HeightField const& field, double east, double north, double eye, double azimuth,
                          double planet_radius);
 
-/// Moves a place uphill on any ground, `step` [m] at a time, until it stands on a summit or has made `most` steps.
-void climb(std::function<double(double east, double north)> const& ground, double step, int most, double& east,
-           double& north);
+/// Moves a place to the highest ground within `reach` [m] of it, seen on a lattice of `step` [m].
+void move_to_highest(std::function<double(double east, double north)> const& ground, double reach, double step,
+                     double& east, double& north);
 
 /// Finds where the default views stand, by looking: "valley" on the floor of a broad valley under a saw-toothed eastern
 /// skyline, "ridge" on a crest that looks far over mountains to the west, "noon" on a gentle shoulder over a valley. A

@@ -66,7 +66,7 @@ std::vector<TerrainSite> write_terrain(TerrainOptions const& options, std::files
     auto const ground = [&](double east, double north) { return relief.altitude(east, north); };
     for (TerrainSite& site : sites) {
         // The finer relief has other summits than the field.
-        if (site.name == "ridge") climb(ground, 8, 60, site.east, site.north);
+        if (site.name == "ridge") move_to_highest(ground, 250, 8, site.east, site.north);
         site.altitude = ground(site.east, site.north);
     }
     std::vector<Tile> const tiles = make_tiles(relief, options.seed, options.threads, [&](int done, int all) {

@@ -246,9 +246,10 @@ TEST(Terrain, a_skyline_of_a_step_is_where_trigonometry_puts_it) {
     EXPECT_LT(skyline_elevation(field, 0, 0, 2, 1.5 * 3.14159265358979, RADIUS), 0);
 }
 
-TEST(Terrain, a_climb_ends_on_the_summit) {
+TEST(Terrain, the_highest_ground_nearby_is_found) {
     double east = 130, north = -70;
-    climb([](double e, double n) { return 100 - std::hypot(e - 20, n - 10); }, 5, 100, east, north);
-    EXPECT_NEAR(east, 20, 5);
-    EXPECT_NEAR(north, 10, 5);
+    auto const ground = [](double e, double n) { return 100 - std::hypot(e - 20, n - 10); };
+    move_to_highest(ground, 150, 5, east, north);
+    EXPECT_DOUBLE_EQ(east, 20);
+    EXPECT_DOUBLE_EQ(north, 10);
 }
