@@ -28,7 +28,7 @@ Span span_below(AirRay ray, float altitude) {
 
 // The stretch of `ray` that meshes can shade. The ray starts `entry` [m] from the camera; `light` is its direction in the sun's frame.
 Span shaded_span(AirRay ray, vec3 light, float entry, float end) {
-    Cascade last = frame.cascades[frame.cascade_count - 1];
+    Cascade last = frame.cascades[MOST_CASCADES - 1];
     vec2 slope = light.xy * last.scale;
     vec2 start = last.offset + slope * entry;
     Span span = crossed(unit_span(start.x, slope.x), unit_span(start.y, slope.y));
@@ -53,7 +53,7 @@ AirLight march_shaded(AirRay ray, RayPhases phases, vec3 light, float entry, Spa
     float cell = (span.end - span.begin) / float(max(n, 1));
     for (int i = 0; i < n; ++i) {
         float t = span.begin + (float(i) + dither) * cell;
-        float visibility = air_visibility(frame, shadow_cascades, light * (t + entry));
+        float visibility = air_visibility(light * (t + entry));
         add_air_cell(result, phases, air_point_at(ray, t), visibility, cell);
     }
     return result;
@@ -66,15 +66,18 @@ AirLight march_around(AirRay ray, RayPhases phases, Span first, int before, AirL
     MarchCells cells_behind = make_march_cells(frame.atmosphere, ray, second.begin, max(second.end, second.begin));
     MarchCells cells = cells_before;
     int count = before, index = 0;
+    float from = first.begin;
     for (int i = 0; i < before + behind; ++i, ++index) {
         if (i == before) {
+            from = second.begin;
             result.inscattered += result.transmittance * between.inscattered;
             result.transmittance *= between.transmittance;
             cells = cells_behind;
             count = behind;
             index = 0;
         }
-        MarchCell cell = march_cell(cells, index, count);
+        MarchCell cell = march_cell_from(cells, from, index, count);
+        from = cell.end;
         add_air_cell(result, phases, air_point_at(ray, cell.middle), 1.0, cell.end - cell.begin);
     }
     if (behind == 0) {
