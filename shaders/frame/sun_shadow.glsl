@@ -22,7 +22,9 @@ int cascade_of(FrameConstants frame, vec2 light, float margin) {
     return outside;
 }
 
-float light_depth(FrameConstants frame, float z) { return z * frame.light_depth.x + frame.light_depth.y; }
+// What lies behind the whole scene is compared as if it stood at the scene's far end: a float depth isn't clamped by itself,
+// and the cleared depth of 1 would shade it.
+float light_depth(FrameConstants frame, float z) { return clamp(z * frame.light_depth.x + frame.light_depth.y, 0.0, 1.0); }
 
 // 1 where the sun reaches a place in the air, 0 in shadow; fades to lit at the cascades' reach. `light`: in the sun's frame.
 float air_visibility(FrameConstants frame, sampler2DArrayShadow cascades, vec3 light) {
@@ -38,7 +40,7 @@ float air_visibility(FrameConstants frame, sampler2DArrayShadow cascades, vec3 l
 float surface_visibility_in(FrameConstants frame, sampler2DArrayShadow cascades, int i, vec3 light, vec3 light_normal) {
     float cosine = clamp(-light_normal.z, 0.0, 1.0);
     float sine = sqrt(1.0 - cosine * cosine);
-    vec3 moved = light + light_normal * (frame.cascades[i].texel * (0.4 + 2.0 * sine));
+    vec3 moved = light + light_normal * (frame.cascades[i].texel * (0.4 + 1.6 * sine));
     vec2 uv = cascade_uv(frame, i, moved.xy);
     vec2 texel = frame.cascades[i].texel * frame.cascades[i].scale;
     float depth = light_depth(frame, moved.z);
