@@ -1,4 +1,6 @@
+#include "gpu/buffer.h"
 #include "gpu/transfer.h"
+#include "support/files.h"
 #include "support/gpu_test.h"
 
 using namespace alpenglow;
@@ -33,4 +35,13 @@ TEST_F(DeviceTest, memory_is_counted_and_given_back) {
         EXPECT_GE(device().memory_in_use(), before + 256 * 256 * 16);
     }
     EXPECT_EQ(device().memory_in_use(), before);
+}
+
+TEST_F(DeviceTest, what_does_not_fit_is_an_error_and_takes_nothing) {
+    std::uint64_t const before = device().memory_in_use();
+    expect_error(ErrorKind::device, {"memory", "--size"}, [&] {
+        GpuBuffer const buffer(device(), VkDeviceSize{1} << 50, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, BufferHome::device, "everything");
+    });
+    EXPECT_EQ(device().memory_in_use(), before);
+    forget_messages(); // validation warns of the size
 }
