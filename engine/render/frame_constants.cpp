@@ -9,13 +9,6 @@ namespace alpenglow {
 
 namespace {
 
-/// Van der Corput's radical inverse.
-double radical_inverse(int index, int base) {
-    double result = 0, digit = 1.0 / base;
-    for (; index > 0; index /= base, digit /= base) result += digit * (index % base);
-    return result;
-}
-
 glm::mat4 view_clip(Camera const& camera, Extent extent, glm::dvec2 const& jitter) {
     double const scale = 1.0 / std::tan(0.5 * camera.vertical_fov);
     double const aspect = static_cast<double>(extent.width) / extent.height;
@@ -79,8 +72,10 @@ double shadow_ceiling(World const& world, double ceiling) {
 } // namespace
 
 glm::dvec2 supersample_offset(int index, int count) {
-    if (count == 1) return {0, 0};
-    return {radical_inverse(index + 1, 2) - 0.5, radical_inverse(index + 1, 3) - 0.5};
+    // A square grid turned a little: no two samples share a row or a column, and their mean is the pixel's centre.
+    int const side = static_cast<int>(std::lround(std::sqrt(count)));
+    int const a = index / side, b = index % side;
+    return glm::dvec2(a + (b + 0.5) / side, b + (side - 1 - a + 0.5) / side) / static_cast<double>(side) - 0.5;
 }
 
 int curve_index(std::string_view name) { return name == "exponential" ? CURVE_EXPONENTIAL : CURVE_FILMIC; }

@@ -83,9 +83,18 @@ FloatImage Renderer::radiance() {
     return image;
 }
 
+GpuImage* Renderer::kept_image(std::string const& name) {
+    if (name == "transmittance") return &transmittance_;
+    if (name == "multiple_scattering") return &multiple_scattering_;
+    if (name == "sky_irradiance") return &sky_irradiance_;
+    if (name == "radiance") return mean_.get();
+    return name == "picture" ? picture_.get() : nullptr;
+}
+
 std::vector<std::byte> Renderer::image_bytes(std::string const& name) {
     executor_.wait();
-    GpuImage* const image = executor_.transient(name);
+    GpuImage* const kept = kept_image(name);
+    GpuImage* const image = kept ? kept : executor_.transient(name);
     return image ? read_back(device_, *image) : std::vector<std::byte>{};
 }
 

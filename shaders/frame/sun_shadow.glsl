@@ -40,7 +40,9 @@ CascadePlace choose_cascade(vec2 light, float margin, float first) {
     return place;
 }
 
-float light_depth(float z) { return z * frame.light_depth.x + frame.light_depth.y; }
+// What lies behind the whole scene is compared as if it stood at the scene's far end: a float depth isn't clamped by itself,
+// and the cleared depth of 1 would shade it.
+float light_depth(float z) { return clamp(z * frame.light_depth.x + frame.light_depth.y, 0.0, 1.0); }
 
 // Nothing is known at the cascades' reach, and it counts as lit; the change is spread over a margin.
 float faded(float lit, float last_inside) { return mix(1.0, lit, clamp(last_inside / frame.shadow_fade, 0.0, 1.0)); }
@@ -56,7 +58,7 @@ float air_visibility(vec3 light) {
 // reaches at its slope, so that it does not shade itself.
 float surface_visibility_in(CascadePlace place, vec3 light, vec3 light_normal) {
     float cosine = clamp(-light_normal.z, 0.0, 1.0);
-    vec3 moved = light_normal * (place.texel * (0.4 + 2.0 * sqrt(1.0 - cosine * cosine)));
+    vec3 moved = light_normal * (place.texel * (0.4 + 1.6 * sqrt(1.0 - cosine * cosine)));
     vec2 uv = place.uv + moved.xy * (place.texel_uv / place.texel);
     float depth = light_depth(light.z + moved.z);
     float lit = 0.0;

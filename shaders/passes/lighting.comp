@@ -63,7 +63,7 @@ vec3 surface_radiance(ivec2 pixel, PixelRay ray, AirPoint place, vec3 light) {
     float visibility = 1.0;
     if (has_flag(FRAME_SHADOWS)) {
         visibility = surface_visibility(light, frame.light_from_world * facing);
-        visibility *= smoothstep(0.0, 0.05, dot(facing, frame.to_sun)); // what turns away from the sun is in its own shadow
+        visibility *= smoothstep(0.0, 0.02, dot(facing, frame.to_sun)); // what turns away from the sun is in its own shadow
     }
     // Up at the surface: the camera's up moved along the ray.
     vec3 up = normalize(frame.camera_up * (frame.atmosphere.ground_radius + frame.camera_altitude) + ray.direction * ray.distance);
