@@ -48,7 +48,7 @@ void add_path(CLI::App& app, std::string const& name, std::string const& value, 
 
 void add_views(CLI::App& app, std::vector<std::filesystem::path>& views) {
     app.add_option_function<std::vector<std::string>>(
-           "views", [&](std::vector<std::string> const& given) { views.assign(given.begin(), given.end()); }, "view files, JSON")
+           "VIEW.json", [&](std::vector<std::string> const& given) { views.assign(given.begin(), given.end()); }, "view files, JSON")
         ->required()
         ->type_name("VIEW.json");
 }
