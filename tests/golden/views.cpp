@@ -163,4 +163,4 @@ TEST_P(Golden, is_unchanged_and_would_notice) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Views, Golden, testing::ValuesIn(view_names()), [](auto const& info) { return info.param; });
+INSTANTIATE_TEST_SUITE_P(Views, Golden, testing::ValuesIn(view_names()), [](auto const& row) { return row.param; });

@@ -18,8 +18,6 @@ std::vector<Refusal> rows() {
     return {
         {"picture_on_a_full_disk", {"render", "view.json", "--out", "out", "--size", "64x36"}, 3, {"out/view.png", "File too large"}, view, NO_DRIVER_CACHE, FULL_DISK},
         {"radiance_on_a_full_disk", {"render", "view.json", "--out", "out", "--size", "64x36", "--format", "exr"}, 3, {"out/view.exr"}, view, NO_DRIVER_CACHE, FULL_DISK},
-        {"terrain_on_a_full_disk", {"terrain", "--side", "4", "--resolution", "64", "--out", "out/t.glb"}, 3, {"out/t.glb"}, {}, {}, FULL_DISK},
-        {"terrain_in_parts_on_a_full_disk", {"terrain", "--side", "4", "--resolution", "64", "--out", "out/t.gltf"}, 3, {"out/"}, {}, {}, FULL_DISK},
         {"render_into_a_file", {"render", "view.json", "--out", "out"}, 3, {"out", "choose another"}, view_and_file},
         {"render_below_a_file", {"render", "view.json", "--out", "out/pictures"}, 3, {"out/pictures", "choose another"}, view_and_file},
         {"flight_into_a_file", {"fly", "--headless", "--out", "out"}, 3, {"out", "choose another"}, view_and_file},
