@@ -10,7 +10,7 @@ constexpr char const* HEAD = R"(# The frame
 
 The default frame over a scene, in the order in which it runs; `engine/render/frame.cpp` is its text. This page is printed by the
 program from the frame graph, and a test keeps it so. The air's tables are made in the first frame and whenever the air changes;
-other settings add, repeat or leave out passes.
+other settings add, repeat or leave out passes. A pass that runs several times in a row writes a layer of its image each time.
 
 ## Passes
 
@@ -21,7 +21,8 @@ other settings add, repeat or leave out passes.
 constexpr char const* IMAGES = R"(
 ## Images
 
-Each name is also what `--show NAME` takes, the label in captures and the key of the timings. A kept image outlives the frame.
+Each name is what `--show NAME` takes (but for the picture, where it is shown) and the label in captures. A kept image outlives
+the frame.
 
 | image | format | bytes a texel | size | lives |
 |---|---|---|---|---|

@@ -26,7 +26,9 @@ Scene one_triangle() {
 } // namespace
 
 TEST(FrameDocument, is_what_the_program_prints) {
-    Device const device({.validation = true});
+    DeviceOptions options;
+    options.validation = true;
+    Device const device(options);
     Renderer renderer(device);
     Planet const earth = make_earth();
     View view{.scene = "one triangle", .camera = {.place = {default_anchor.latitude, default_anchor.longitude, 200}}};
