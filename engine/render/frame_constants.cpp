@@ -37,11 +37,11 @@ void set_cascades(shader::FrameConstants& frame, ShadowFit const& fit, glm::dvec
     frame.shadow_fade = 0.08f;
     double const depth = fit.cascades.empty() ? 1.0 : 1.0 / (fit.farthest - fit.nearest);
     frame.light_depth = glm::vec2(depth, (in_light.z - fit.nearest) * depth);
-    for (std::size_t i = 0; i < fit.cascades.size(); ++i) {
-        CascadeFit const& cascade = fit.cascades[i];
+    for (std::size_t i = 0; i < MOST_CASCADES && !fit.cascades.empty(); ++i) {
+        CascadeFit const& cascade = fit.cascades[std::min(i, fit.cascades.size() - 1)];
         frame.clip_from_relative[PROJECTION_CASCADE + i] = cascade_clip(fit, cascade, in_light);
         double const scale = 0.5 / cascade.half_width;
-        frame.cascades[i].scale = glm::vec2(scale);
+        frame.cascades[i].scale = static_cast<float>(scale);
         frame.cascades[i].offset = glm::vec2((glm::dvec2(in_light) - cascade.centre) * scale + 0.5);
         frame.cascades[i].texel = static_cast<float>(cascade.texel);
     }

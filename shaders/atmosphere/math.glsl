@@ -9,12 +9,13 @@ CONSTANT float GOLDEN_ANGLE = 2.39996322972865f; // [rad]
 CONSTANT float TINY = 1e-30f;                    // keeps 0/0 at 0 and log(0) finite
 
 // (1 - exp(-x)) / x, for x >= 0: the mean transmittance inside a homogeneous layer of optical depth x. 1 at x = 0.
-// Series below 1/8, where the difference would cancel; relative error 3e-7 in float.
-INLINE float mean_transmittance(float x) {
-    float series =
-        1.0f - x * (1.0f / 2.0f) * (1.0f - x * (1.0f / 3.0f) * (1.0f - x * (1.0f / 4.0f) * (1.0f - x * 0.2f)));
-    return x < 0.125f ? series : (1.0f - exp(-x)) / max(x, 0.125f);
+// Series below 1/8, where the difference would cancel; relative error 3e-7 in float. `through` is exp(-x).
+INLINE float mean_transmittance_of(float x, float through) {
+    float series = 1.0f - x * (1.0f / 2.0f) * (1.0f - x * (1.0f / 3.0f) * (1.0f - x * (1.0f / 4.0f) * (1.0f - x * 0.2f)));
+    return x < 0.125f ? series : (1.0f - through) / max(x, 0.125f);
 }
+
+INLINE float mean_transmittance(float x) { return mean_transmittance_of(x, exp(-x)); }
 
 INLINE vec3 mean_transmittance3(vec3 x) {
     return vec3(mean_transmittance(x.x), mean_transmittance(x.y), mean_transmittance(x.z));
