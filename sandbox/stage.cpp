@@ -5,6 +5,7 @@
 #include "scene/gltf.h"
 #include "terrain/terrain.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace alpenglow {
@@ -44,6 +45,20 @@ World Stage::prepare(View const& view) {
     World const world = make_world(view, planet_);
     require_scene(view);
     return world;
+}
+
+void Stage::draw(View const& view, World const& world, Extent size) {
+    try {
+        renderer_.draw(world, view.settings, size);
+    } catch (Error const& error) {
+        // Which images there are only the frame knows.
+        if (error.kind() != ErrorKind::wrong_use || overrides("show")) throw;
+        throw Error(ErrorKind::bad_input, error.what(), "view " + view.name);
+    }
+}
+
+bool Stage::overrides(std::string_view setting) const {
+    return std::ranges::find(options_.overrides, setting, &Override::name) != options_.overrides.end();
 }
 
 void Stage::require_scene(View const& view) {

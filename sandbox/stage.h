@@ -21,10 +21,13 @@ public:
     View dressed(View view) const;
     /// Loads what the view needs, and gives the world to draw. Throws Error.
     World prepare(View const& view);
+    /// Draws the world as the view says. Throws Error; a view file that shows an image which does not exist is bad input.
+    void draw(View const& view, World const& world, Extent size);
     /// Throws Error(device) where validation was asked for and said anything.
     void require_no_messages() const;
 
 private:
+    bool overrides(std::string_view setting) const;
     void require_scene(View const& view);
 
     DrawOptions options_;

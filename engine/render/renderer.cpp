@@ -24,7 +24,7 @@ std::vector<shader::FrameConstants> supersample_constants(World const& world, Se
 Renderer::Renderer(Device const& device, std::uint32_t frames_in_flight)
     : device_(device), executor_(device, frames_in_flight),
       transmittance_(device, table_shape(TRANSMITTANCE_WIDTH, TRANSMITTANCE_HEIGHT), KEPT, "transmittance"),
-      multiple_scattering_(device, table_shape(MULTIPLE_SCATTERING_SIZE, MULTIPLE_SCATTERING_SIZE), KEPT, "multiple_scattering"),
+      multiple_scattering_(device, table_shape(MULTIPLE_SCATTERING_WIDTH, MULTIPLE_SCATTERING_HEIGHT), KEPT, "multiple_scattering"),
       sky_irradiance_(device, table_shape(SKY_IRRADIANCE_WIDTH, SKY_IRRADIANCE_HEIGHT), KEPT, "sky_irradiance") {}
 
 Renderer::~Renderer() { vkDeviceWaitIdle(device_.handle()); }

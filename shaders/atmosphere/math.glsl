@@ -30,6 +30,17 @@ INLINE float minus_log_one_minus(float x) {
     return x < 0.0625f ? series : -log(1.0f - x);
 }
 
+// How tables hold what spans powers of ten: as its 32nd root. Linear interpolation of that follows an exponential as
+// well as a logarithm does, and it comes back with five products in place of an exponential.
+INLINE vec3 root32(vec3 x) { return sqrt(sqrt(sqrt(sqrt(sqrt(x))))); }
+INLINE vec3 power32(vec3 x) {
+    vec3 x2 = x * x;
+    vec3 x4 = x2 * x2;
+    vec3 x8 = x4 * x4;
+    vec3 x16 = x8 * x8;
+    return x16 * x16;
+}
+
 // Texture coordinate of x in [0, 1] on an axis of `size` texels whose first and last centres hold 0 and 1; and back.
 INLINE float uv_from_unit(float x, int size) { return (0.5f + x * float(size - 1)) / float(size); }
 INLINE float unit_from_uv(float uv, int size) { return (uv * float(size) - 0.5f) / float(size - 1); }

@@ -36,13 +36,15 @@ Span shaded_span(AirRay ray, vec3 light, float entry, float end) {
     return crossed(span, Span(0.0, end));
 }
 
-// Adds the light of one cell, seen by the share `visibility` of the sun.
-void add_air_cell(inout AirLight light, Atmosphere atmosphere, RayPhases phases, AirPoint point, float visibility, float cell_length) {
-    Medium medium = medium_at(atmosphere, point.altitude);
-    vec3 sun = sample_sun_transmittance(transmittance_table, atmosphere, point.altitude, point.mu_s) * visibility;
+// Adds the light of one cell, evaluated at distance t [m] and seen by the share `visibility` of the sun.
+void add_air_cell(inout AirLight light, Atmosphere atmosphere, RayPhases phases, AirRay ray, float t, float visibility, float cell_length) {
+    float altitude = altitude_at(ray, t), sun_along = ray.sun_along + t * ray.nu;
+    Medium medium = medium_at(atmosphere, altitude);
+    vec3 sun = sample_sun_transmittance_along(transmittance_table, atmosphere, altitude, sun_along) * visibility;
     vec3 psi = vec3(0.0);
     if ((frame.flags & FRAME_MULTIPLE_SCATTERING) != 0) {
-        psi = sample_multiple_scattering(multiple_scattering_table, atmosphere, point.altitude, point.mu_s);
+        float mu_s = sun_along / (atmosphere.ground_radius + altitude);
+        psi = sample_multiple_scattering(multiple_scattering_table, atmosphere, altitude, mu_s);
     }
     add_cell(light, inscattering_source(medium, phases, sun, psi), medium.extinction, cell_length);
 }
@@ -54,7 +56,7 @@ AirLight march_shaded(Atmosphere atmosphere, AirRay ray, RayPhases phases, vec3 
     for (int i = 0; i < n; ++i) {
         float t = span.begin + (float(i) + dither) * cell;
         float visibility = air_visibility(light * (t + entry));
-        add_air_cell(result, atmosphere, phases, air_point_at(ray, t), visibility, cell);
+        add_air_cell(result, atmosphere, phases, ray, t, visibility, cell);
     }
     return result;
 }
@@ -78,7 +80,7 @@ AirLight march_around(Atmosphere atmosphere, AirRay ray, RayPhases phases, Span 
         }
         MarchCell cell = march_cell_from(cells, from, index, count);
         from = cell.end;
-        add_air_cell(result, atmosphere, phases, air_point_at(ray, cell.middle), 1.0, cell.end - cell.begin);
+        add_air_cell(result, atmosphere, phases, ray, cell.middle, 1.0, cell.end - cell.begin);
     }
     if (behind == 0) {
         result.inscattered += result.transmittance * between.inscattered;
