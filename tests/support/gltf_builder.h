@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "scene/gltf.h"
+#include "scene/gltf_report.h"
 
 #include <nlohmann/json.hpp>
 
@@ -67,8 +68,9 @@ GltfBuilder one_triangle();
 
 /// Loads text as a .gltf of its own folder.
 Scene load_text(std::string const& text, GltfOptions const& options = {});
-/// The message of the error that loading gives, without the file's name; "" where it loads.
+/// The message of the error that loading gives, without the file's name and the usual advice; "" where it loads.
 std::string error_of(std::string const& text);
+std::string without_usual_advice(std::string line);
 
 std::string base64(std::span<std::byte const> bytes);
 
@@ -149,11 +151,17 @@ inline Scene load_text(std::string const& text, GltfOptions const& options) {
     return load_gltf(folder.path() / "scene.gltf", options);
 }
 
+inline std::string without_usual_advice(std::string line) {
+    std::string const advice = std::string(" (") + gltf::EXPORT_AGAIN + ")";
+    if (line.ends_with(advice)) line.resize(line.size() - advice.size());
+    return line;
+}
+
 inline std::string error_of(std::string const& text) {
     try {
         load_text(text);
     } catch (Error const& error) {
-        std::string const line = error.what();
+        std::string const line = without_usual_advice(error.what());
         std::string const end_of_name = "scene.gltf: ";
         return line.substr(line.find(end_of_name) + end_of_name.size());
     }
