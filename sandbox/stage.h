@@ -22,6 +22,8 @@ public:
     View dressed(View view) const;
     /// Loads what the view needs, and gives the world to draw. Throws Error.
     World prepare(View const& view);
+    /// Of the view prepared last.
+    Planet const& planet() const { return planet_; }
     /// From the next scene on, `ground_altitude` knows it.
     void follow_ground() { follows_ground_ = true; }
     /// Of what stands under (or over) a place in the world [m]: the scene, or the planet's radius, 0.
