@@ -9,6 +9,7 @@
 #include "sandbox/render_scale.h"
 #include "sandbox/saved_views.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <utility>
@@ -23,7 +24,7 @@ constexpr double MESSAGE_TIME = 5;      // [s]
 constexpr double JITTER = 16;           // [screen units] a mouse that moves less from its place was only touched
 constexpr double WHEEL_ZOOM = 0.9;      // of the field of view, for a notch
 char const* const SAVED_VIEWS = "out/views";
-char const* const HINT = "The default flight. Any key or the mouse takes over; H shows the keys.";
+char const* const HINT = "Any key or the mouse takes over; H shows the keys";
 
 double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
@@ -110,7 +111,7 @@ void WindowFlight::steer(WindowEvents const& events, double dt) {
         screen_.panel = true;
     }
     bool const typing = panel_.wants_keyboard();
-    if (!typing && window_.is_down(key::ESCAPE)) window_.request_close();
+    if (!typing && std::ranges::find(events.pressed, key::ESCAPE) != events.pressed.end()) window_.request_close();
     FlyInput input = look(events);
     if (!typing) {
         act_on_keys(target(), events.pressed, window_.shift());

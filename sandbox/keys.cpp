@@ -55,7 +55,7 @@ constexpr std::array ROWS = {
     KeyRow{"3", "shadows on, off", '3', 0, [](KeyTarget& t, int, bool) { flip(t.pilot.settings().shadows); }},
     KeyRow{"4", "antialiasing filter on, off", '4', 0, flip_post_aa},
     KeyRow{"C", "which cascade shades what", 'C', 0, show_cascades},
-    KeyRow{"I O", "the next, the last image of the frame", 'I', 'O', [](KeyTarget& t, int direction, bool) { cycle_images(t, direction); }},
+    KeyRow{"I O", "the next, the previous image of the frame", 'I', 'O', [](KeyTarget& t, int direction, bool) { cycle_images(t, direction); }},
     KeyRow{"P or F2", "save the picture and its view file", 'P', key::F2, [](KeyTarget& t, int, bool) { t.screen.save = true; }},
     KeyRow{"Tab", "panel", key::TAB, 0, [](KeyTarget& t, int, bool) { flip(t.screen.panel); }},
     KeyRow{"H or F1", "this help", 'H', key::F1, [](KeyTarget& t, int, bool) { flip(t.screen.help); }},

@@ -96,13 +96,14 @@ void show_help() {
     ImGui::End();
 }
 
+/// At the lower edge, over everything.
 void show_message(std::string const& message) {
-    ImVec2 const size = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({0.5f * size.x, size.y - MARGIN}, ImGuiCond_Always, {0.5f, 1});
-    ImGui::SetNextWindowBgAlpha(0.5f);
-    ImGui::Begin("message", nullptr, PLAIN);
-    ImGui::TextUnformatted(message.c_str());
-    ImGui::End();
+    ImVec2 const size = ImGui::GetIO().DisplaySize, text = ImGui::CalcTextSize(message.c_str());
+    ImVec2 const gap = ImGui::GetStyle().WindowPadding;
+    ImVec2 const corner{std::floor(0.5f * (size.x - text.x)), std::floor(size.y - text.y - 2 * gap.y - MARGIN)};
+    ImDrawList& list = *ImGui::GetForegroundDrawList();
+    list.AddRectFilled({corner.x - gap.x, corner.y - gap.y}, {corner.x + text.x + gap.x, corner.y + text.y + gap.y}, ImGui::GetColorU32(ImGuiCol_WindowBg, 0.7f));
+    list.AddText(corner, ImGui::GetColorU32(ImGuiCol_Text), message.c_str());
 }
 
 /// ImGui's clip rectangle in pixels, cut to the window.

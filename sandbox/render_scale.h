@@ -25,7 +25,7 @@ public:
     }
 
 private:
-    static constexpr std::array SHARES = {1.0, 0.75, 0.5, 0.375, 0.25};
+    static constexpr std::array SHARES = {1.0, 0.75, 0.5, 1.0 / 3};
     double cost(std::size_t step) const { return whole_ms_ * SHARES[step] * SHARES[step]; }
 
     double whole_ms_ = 0;

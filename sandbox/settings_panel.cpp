@@ -54,7 +54,7 @@ struct Widget {
 
     bool edit(double& value) const {
         bool const logarithmic = info.smallest > 0 && info.largest / info.smallest > 100;
-        std::string const format = "%.4g " + std::string(info.unit);
+        std::string const format = "%.6g " + std::string(info.unit);
         if (logarithmic) return ImGui::SliderScalar(label, ImGuiDataType_Double, &value, &info.smallest, &info.largest, format.c_str(), ImGuiSliderFlags_Logarithmic);
         return ImGui::DragScalar(label, ImGuiDataType_Double, &value, 0.02f, &info.smallest, &info.largest, format.c_str());
     }
