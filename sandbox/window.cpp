@@ -136,7 +136,7 @@ double Window::content_scale() const {
 
 void Window::capture_mouse(bool capture) {
     glfwSetInputMode(window_, GLFW_CURSOR, capture ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
-    mouse_known_ = false;
+    glfwGetCursorPos(window_, &mouse_.x, &mouse_.y); // a jump of the cursor is no move of the mouse
 }
 
 } // namespace alpenglow
