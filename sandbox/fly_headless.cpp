@@ -28,7 +28,7 @@ void fly_headless(FlyOptions const& options, Flight const& flight) {
         std::string const altitude = altitude_text(view.camera.place.altitude);
         progress.update(static_cast<std::size_t>(i), altitude);
         World const world = stage.prepare(view);
-        stage.renderer().draw(world, view.settings, options.size);
+        stage.draw(view, world, options.size);
         ByteImage const picture = stage.renderer().picture();
         write_png(options.out / fmt::format("frame_{:04}.png", i), picture);
         sheet.add(picture, fmt::format("{:.1f} s  {}", time, altitude));

@@ -159,7 +159,7 @@ void WindowFlight::draw(Extent size) {
     if (same) {
         stage_.renderer().finish_again(finishing, sync);
     } else {
-        stage_.renderer().draw(world_, pilot_.view().settings, size, finishing, sync);
+        stage_.draw(pilot_.view(), world_, size, finishing, sync);
         drawn_ = view;
         report_.drawn = size;
     }
@@ -198,7 +198,7 @@ void WindowFlight::note_times() {
 
 /// The picture in the window's full size, without the panel.
 void WindowFlight::save() {
-    stage_.renderer().draw(world_, pilot_.view().settings, swapchain_.extent());
+    stage_.draw(pilot_.view(), world_, swapchain_.extent());
     try {
         message_ = "saved " + save_view(SAVED_VIEWS, pilot_.view(), stage_.renderer().picture()).string();
         log_info(message_);

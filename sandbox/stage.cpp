@@ -47,6 +47,20 @@ World Stage::prepare(View const& view) {
     return world;
 }
 
+void Stage::draw(View const& view, World const& world, Extent size, Renderer::Finish const& finish, PresentSync const& sync) {
+    try {
+        renderer_.draw(world, view.settings, size, finish, sync);
+    } catch (Error const& error) {
+        // Which images there are only the frame knows.
+        if (error.kind() != ErrorKind::wrong_use || overrides("show")) throw;
+        throw Error(ErrorKind::bad_input, error.what(), "view " + view.name);
+    }
+}
+
+bool Stage::overrides(std::string_view setting) const {
+    return std::ranges::find(options_.overrides, setting, &Override::name) != options_.overrides.end();
+}
+
 void Stage::require_scene(View const& view) {
     Placement const placement = scene_placement(view);
     std::string const key = scene_key(view, placement);

@@ -22,6 +22,8 @@ public:
     View dressed(View view) const;
     /// Loads what the view needs, and gives the world to draw. Throws Error.
     World prepare(View const& view);
+    /// Draws the world as the view says. Throws Error; a view file that shows an image which does not exist is bad input.
+    void draw(View const& view, World const& world, Extent size, Renderer::Finish const& finish = {}, PresentSync const& sync = {});
     /// Of the view prepared last.
     Planet const& planet() const { return planet_; }
     /// From the next scene on, `ground_altitude` knows it.
@@ -32,6 +34,7 @@ public:
     void require_no_messages() const;
 
 private:
+    bool overrides(std::string_view setting) const;
     void require_scene(View const& view);
 
     DrawOptions options_;

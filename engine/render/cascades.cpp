@@ -19,16 +19,17 @@ glm::dvec3 corner(Box const& box, int i) {
 
 } // namespace
 
-glm::dmat3 light_from_world(glm::dvec3 const& to_sun) {
+glm::dmat3 light_from_world(glm::dvec3 const& to_sun, glm::dmat3 const& axes) {
     glm::dvec3 const z = -to_sun;
-    glm::dvec3 const pole = std::abs(z.z) < 0.99 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0);
+    glm::dvec3 const pole = std::abs(glm::dot(z, axes[2])) < 0.99 ? axes[2] : axes[0];
     glm::dvec3 const x = glm::normalize(glm::cross(pole, z));
     return glm::transpose(glm::dmat3(x, glm::cross(z, x), z));
 }
 
 ShadowFit fit_cascades(ShadowScene const& scene, Camera const& camera, glm::dvec3 const& to_sun, ShadowSettings const& settings) {
     ShadowFit fit;
-    fit.light_from_world = light_from_world(to_sun);
+    glm::dmat3 const axes(scene.world_from_scene);
+    fit.light_from_world = light_from_world(to_sun, {glm::normalize(axes[0]), glm::normalize(axes[1]), glm::normalize(axes[2])});
     if (scene.bounds.empty()) return fit;
 
     fit.nearest = std::numeric_limits<double>::infinity(), fit.farthest = -fit.nearest;
@@ -48,6 +49,7 @@ ShadowFit fit_cascades(ShadowScene const& scene, Camera const& camera, glm::dvec
     double const coarsest = rounded_up(std::min(settings.reach, diagonal) / (1.0 + AHEAD));
     // Finer than this a texel would be far below a pixel.
     double const useful = rounded_up(std::max(0.6 * distance * std::tan(0.5 * camera.vertical_fov), 1e-6));
+    glm::dvec2 const origin(fit.light_from_world * glm::dvec3(scene.world_from_scene[3]));
     int const steps = settings.cascades - 1;
     double const finest = std::clamp(useful, coarsest / std::pow(LARGEST_RATIO, steps), coarsest);
     bool const one_is_enough = steps == 0 || finest > 0.95 * coarsest;
@@ -57,7 +59,7 @@ ShadowFit fit_cascades(ShadowScene const& scene, Camera const& camera, glm::dvec
         cascade.half_width = coarsest / std::pow(ratio, steps - i);
         cascade.texel = 2.0 * cascade.half_width / settings.size;
         glm::dvec2 const wanted(fit.light_from_world * (focus + AHEAD * cascade.half_width * camera.forward()));
-        cascade.centre = glm::round(wanted / cascade.texel) * cascade.texel;
+        cascade.centre = origin + glm::round((wanted - origin) / cascade.texel) * cascade.texel;
         fit.cascades.push_back(cascade);
     }
     return fit;

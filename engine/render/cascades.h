@@ -7,10 +7,11 @@
 
 namespace alpenglow {
 
-/// The sun's frame: x and y across its rays, z away from the sun. A world vector times this matrix.
-glm::dmat3 light_from_world(glm::dvec3 const& to_sun);
+/// The sun's frame: x and y across its rays, z away from the sun. A world vector times this matrix. `axes`: unit vectors at right
+/// angles; the frame turns with them, so that a scene's shadows have the same texels wherever it stands.
+glm::dmat3 light_from_world(glm::dvec3 const& to_sun, glm::dmat3 const& axes);
 
-/// A square across the sun's rays, its centre on a grid of its own texels that is fixed to the planet.
+/// A square across the sun's rays, its centre on a grid of its own texels that is fixed to the scene's origin.
 struct CascadeFit {
     glm::dvec2 centre{0};  ///< light frame, from the planet's centre [m]
     double half_width = 0; ///< [m]

@@ -9,13 +9,6 @@ namespace alpenglow {
 
 namespace {
 
-/// Van der Corput's radical inverse.
-double radical_inverse(int index, int base) {
-    double result = 0, digit = 1.0 / base;
-    for (; index > 0; index /= base, digit /= base) result += digit * (index % base);
-    return result;
-}
-
 glm::mat4 view_clip(Camera const& camera, Extent extent, glm::dvec2 const& jitter) {
     double const scale = 1.0 / std::tan(0.5 * camera.vertical_fov);
     double const aspect = static_cast<double>(extent.width) / extent.height;
@@ -44,11 +37,11 @@ void set_cascades(shader::FrameConstants& frame, ShadowFit const& fit, glm::dvec
     frame.shadow_fade = 0.08f;
     double const depth = fit.cascades.empty() ? 1.0 : 1.0 / (fit.farthest - fit.nearest);
     frame.light_depth = glm::vec2(depth, (in_light.z - fit.nearest) * depth);
-    for (std::size_t i = 0; i < fit.cascades.size(); ++i) {
-        CascadeFit const& cascade = fit.cascades[i];
+    for (std::size_t i = 0; i < MOST_CASCADES && !fit.cascades.empty(); ++i) {
+        CascadeFit const& cascade = fit.cascades[std::min(i, fit.cascades.size() - 1)];
         frame.clip_from_relative[PROJECTION_CASCADE + i] = cascade_clip(fit, cascade, in_light);
         double const scale = 0.5 / cascade.half_width;
-        frame.cascades[i].scale = glm::vec2(scale);
+        frame.cascades[i].scale = static_cast<float>(scale);
         frame.cascades[i].offset = glm::vec2((glm::dvec2(in_light) - cascade.centre) * scale + 0.5);
         frame.cascades[i].texel = static_cast<float>(cascade.texel);
     }
@@ -79,8 +72,10 @@ double shadow_ceiling(World const& world, double ceiling) {
 } // namespace
 
 glm::dvec2 supersample_offset(int index, int count) {
-    if (count == 1) return {0, 0};
-    return {radical_inverse(index + 1, 2) - 0.5, radical_inverse(index + 1, 3) - 0.5};
+    // A square grid turned a little: no two samples share a row or a column, and their mean is the pixel's centre.
+    int const side = static_cast<int>(std::lround(std::sqrt(count)));
+    int const a = index / side, b = index % side;
+    return glm::dvec2(a + (b + 0.5) / side, b + (side - 1 - a + 0.5) / side) / static_cast<double>(side) - 0.5;
 }
 
 int curve_index(std::string_view name) { return name == "exponential" ? CURVE_EXPONENTIAL : CURVE_FILMIC; }

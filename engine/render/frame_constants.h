@@ -10,7 +10,7 @@ namespace alpenglow {
 
 constexpr double NEAR_PLANE = 0.1; // [m]
 
-/// The supersamples of one pixel: offsets in pixels from its centre, the first of one is the centre itself.
+/// The supersamples of one pixel: offsets in pixels from its centre; a single one is the centre itself. `count` is a square number.
 glm::dvec2 supersample_offset(int index, int count);
 
 /// interop/display.h's constant for a tone curve's name in the settings.

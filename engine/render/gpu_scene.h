@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gpu/buffer.h"
+#include "interop/gbuffer.h"
 #include "render/frame_graph.h"
 #include "render/material_sets.h"
 #include "scene/scene.h"
@@ -22,6 +23,9 @@ struct DrawItem {
     std::uint32_t material = 0, instance = 0;
     Sphere bounds;
 };
+
+/// What the vertex shader needs to draw an instance, with the matrix `projection` of interop/frame.h. `camera`: world [m].
+shader::MeshDraw make_mesh_draw(glm::dmat4 const& world_from_mesh, glm::dmat4 const& mesh_from_world, glm::dvec3 const& camera, int projection);
 
 /// A scene on the device, standing on a planet: one vertex and one index buffer, a descriptor set for each material.
 class GpuScene {

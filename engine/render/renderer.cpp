@@ -24,7 +24,7 @@ std::vector<shader::FrameConstants> supersample_constants(World const& world, Se
 Renderer::Renderer(Device const& device, std::uint32_t frames_in_flight)
     : device_(device), executor_(device, frames_in_flight),
       transmittance_(device, table_shape(TRANSMITTANCE_WIDTH, TRANSMITTANCE_HEIGHT), KEPT, "transmittance"),
-      multiple_scattering_(device, table_shape(MULTIPLE_SCATTERING_SIZE, MULTIPLE_SCATTERING_SIZE), KEPT, "multiple_scattering"),
+      multiple_scattering_(device, table_shape(MULTIPLE_SCATTERING_WIDTH, MULTIPLE_SCATTERING_HEIGHT), KEPT, "multiple_scattering"),
       sky_irradiance_(device, table_shape(SKY_IRRADIANCE_WIDTH, SKY_IRRADIANCE_HEIGHT), KEPT, "sky_irradiance") {}
 
 Renderer::~Renderer() { vkDeviceWaitIdle(device_.handle()); }
@@ -89,9 +89,18 @@ FloatImage Renderer::radiance() {
     return image;
 }
 
+GpuImage* Renderer::kept_image(std::string const& name) {
+    if (name == "transmittance") return &transmittance_;
+    if (name == "multiple_scattering") return &multiple_scattering_;
+    if (name == "sky_irradiance") return &sky_irradiance_;
+    if (name == "radiance") return mean_.get();
+    return name == "picture" ? picture_.get() : nullptr;
+}
+
 std::vector<std::byte> Renderer::image_bytes(std::string const& name) {
     executor_.wait();
-    GpuImage* const image = executor_.transient(name);
+    GpuImage* const kept = kept_image(name);
+    GpuImage* const image = kept ? kept : executor_.transient(name);
     return image ? read_back(device_, *image) : std::vector<std::byte>{};
 }
 

@@ -36,6 +36,7 @@ public:
     std::vector<std::byte> image_bytes(std::string const& name);
 
 private:
+    GpuImage* kept_image(std::string const& name);
     void size_pictures(Extent extent);
     bool air_changed(Planet const& planet);
 

@@ -15,7 +15,7 @@ public:
 
     std::filesystem::path const& file() const { return file_; }
     /// Throws Error(bad_input).
-    [[noreturn]] void fail(std::string const& pointer, std::string const& reason, std::string const& advice = {}) const;
+    [[noreturn]] void fail(std::string const& pointer, std::string const& reason, std::string const& advice = "export the scene again, or choose another") const;
     /// Each different line is logged once.
     void warn(std::string const& line);
 

@@ -60,19 +60,20 @@ void put(std::uint8_t* texel, double r, double g, double b) {
 } // namespace
 
 DetailPictures make_detail_pictures(std::uint32_t seed, int size, int threads) {
-    Grain height = make_grain(seed + 401, size, threads), tint = make_grain(seed + 431, size, threads);
+    Grain height = make_grain(seed + 401, size, threads);
     normalize(height);
-    normalize(tint);
+    // The same grain elsewhere and turned over: as good as another one.
+    auto const tint = [&](int x, int y) { return height.at(y + size / 3, x + size / 5); };
     Extent const extent{static_cast<std::uint32_t>(size), static_cast<std::uint32_t>(size)};
     DetailPictures pictures{ByteImage(extent), ByteImage(extent)};
     double const texel = DETAIL_PERIOD / size;
-    constexpr double relief = 0.011; // [m] standard deviation of the grain's height
+    constexpr double relief = 0.006; // [m] standard deviation of the grain's height
     parallel_for(size, threads, [&](int row) {
         for (int x = 0; x < size; ++x) {
             auto const column = static_cast<std::uint32_t>(x), line = static_cast<std::uint32_t>(row);
             // Low grain lies in shade. Clamped at 2.5 deviations on both sides, which keeps the mean.
-            double const shade = 0.08 * std::clamp(0.7 * height.at(x, row) + 0.7 * tint.at(x, row), -2.5, 2.5);
-            double const hue = 0.012 * std::clamp(tint.at(x + size / 2, row), -2.0, 2.0);
+            double const shade = 0.08 * std::clamp(0.7 * height.at(x, row) + 0.7 * tint(x, row), -2.5, 2.5);
+            double const hue = 0.012 * std::clamp(tint(x + size / 2, row), -2.0, 2.0);
             double const level = DETAIL_MEAN * (1 + shade);
             put(pictures.color.at(column, line), srgb_from_linear(level * (1 + hue)), srgb_from_linear(level),
                 srgb_from_linear(level * (1 - hue)));

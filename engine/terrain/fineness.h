@@ -6,11 +6,12 @@
 
 namespace alpenglow {
 
-/// How far apart the terrain's vertices should stand at a place: 5 m at the fine places, about 40 m 3 km from them, 190 m from
-/// 15 km on. Detail smaller than the vertices can show is left out of the relief, by place and not by tile, so that tiles agree.
+/// How far apart the terrain's vertices should stand at a place: 6 m at the fine places, 40 m from 600 m beyond them to
+/// 2 km, 190 m from 4 km to 15 km, 380 m beyond 25 km. Detail smaller than the vertices can show is left out of the
+/// relief, by place and not by tile, so that tiles agree.
 class Fineness {
 public:
-    static constexpr double FINEST = 6, COARSEST = 190; ///< [m]
+    static constexpr double FINEST = 6, COARSEST = 380; ///< [m]
 
     explicit Fineness(std::vector<FinePlace> places) : places_(std::move(places)) {}
 

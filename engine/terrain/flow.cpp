@@ -13,9 +13,12 @@ namespace alpenglow {
 
 namespace {
 
-constexpr std::array<std::array<int, 2>, 8> NEIGHBOURS{{{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
+constexpr std::array<std::array<int, 2>, 8> NEIGHBOURS{
+    {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
 
-bool inside(HeightField const& field, int i, int j) { return i >= 0 && j >= 0 && i < field.nodes() && j < field.nodes(); }
+bool inside(HeightField const& field, int i, int j) {
+    return i >= 0 && j >= 0 && i < field.nodes() && j < field.nodes();
+}
 
 /// The same seen from both ends: directions 4 to 7 look the stretch up at the other node.
 double stretch(std::uint32_t seed, int i, int j, std::size_t direction) {
@@ -58,8 +61,10 @@ void order_upstream(Flow& flow) {
     flow.upstream.reserve(count);
     for (std::size_t n = 0; n < count; ++n) {
         std::int32_t const r = flow.receiver[n];
-        if (r == static_cast<std::int32_t>(n)) flow.upstream.push_back(r);
-        else donors[next[r]++] = static_cast<std::int32_t>(n);
+        if (r == static_cast<std::int32_t>(n))
+            flow.upstream.push_back(r);
+        else
+            donors[next[r]++] = static_cast<std::int32_t>(n);
     }
     for (std::size_t k = 0; k < flow.upstream.size(); ++k) {
         std::int32_t const n = flow.upstream[k];
@@ -71,7 +76,9 @@ void order_upstream(Flow& flow) {
 
 Flow route_water(HeightField const& field, float sea, std::uint32_t seed, int threads) {
     std::size_t const count = field.altitudes().size();
-    Flow flow{std::vector<std::int32_t>(count), std::vector<float>(count), {},
+    Flow flow{std::vector<std::int32_t>(count),
+              std::vector<float>(count),
+              {},
               std::vector<float>(count, static_cast<float>(field.cell() * field.cell()))};
     parallel_for(field.nodes(), threads, [&](int j) {
         for (int i = 0; i < field.nodes(); ++i) choose_receiver(field, sea, seed, i, j, flow);

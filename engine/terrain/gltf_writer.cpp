@@ -13,14 +13,18 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "glTF is little-endian");
 
-void append(std::vector<std::byte>& to, std::span<std::byte const> bytes) { to.insert(to.end(), bytes.begin(), bytes.end()); }
+void append(std::vector<std::byte>& to, std::span<std::byte const> bytes) {
+    to.insert(to.end(), bytes.begin(), bytes.end());
+}
 
 void append_word(std::vector<std::byte>& to, std::size_t word) {
     auto const value = static_cast<std::uint32_t>(word);
     append(to, std::as_bytes(std::span(&value, 1)));
 }
 
-void align(std::vector<std::byte>& bytes, char padding) { bytes.resize((bytes.size() + 3) / 4 * 4, static_cast<std::byte>(padding)); }
+void align(std::vector<std::byte>& bytes, char padding) {
+    bytes.resize((bytes.size() + 3) / 4 * 4, static_cast<std::byte>(padding));
+}
 
 } // namespace
 
@@ -39,10 +43,17 @@ int GltfWriter::add_png(std::string const& name, std::vector<std::byte> png) {
     return static_cast<int>(pictures_.size()) - 1;
 }
 
-void GltfWriter::write(std::filesystem::path const& file) {
-    if (file.extension() == ".glb") return write_glb(file);
-    if (file.extension() == ".gltf") return write_gltf(file);
+void GltfWriter::require_known_ending(std::filesystem::path const& file) {
+    if (file.extension() == ".glb" || file.extension() == ".gltf") return;
     throw Error(ErrorKind::wrong_use, "is neither .glb nor .gltf", file.string(), "give the file one of these endings");
+}
+
+void GltfWriter::write(std::filesystem::path const& file) {
+    require_known_ending(file);
+    if (file.extension() == ".glb")
+        write_glb(file);
+    else
+        write_gltf(file);
 }
 
 void GltfWriter::write_glb(std::filesystem::path const& file) {
@@ -71,14 +82,26 @@ void GltfWriter::write_glb(std::filesystem::path const& file) {
 
 void GltfWriter::write_gltf(std::filesystem::path const& file) {
     std::string const stem = file.stem().string();
-    for (Png const& png : pictures_) {
-        std::string const name = stem + "_" + png.name + ".png";
-        write_file(file.parent_path() / name, png.bytes);
-        json["images"].push_back({{"name", png.name}, {"uri", name}});
+    std::filesystem::path const folder = file.parent_path();
+    std::vector<std::filesystem::path> written;
+    auto const write = [&](std::string const& name, std::span<std::byte const> bytes) {
+        write_file(folder / name, bytes);
+        written.push_back(folder / name);
+    };
+    try {
+        for (Png const& png : pictures_) {
+            std::string const name = stem + "_" + png.name + ".png";
+            write(name, png.bytes);
+            json["images"].push_back({{"name", png.name}, {"uri", name}});
+        }
+        write(stem + ".bin", binary_);
+        json["buffers"] = {{{"byteLength", binary_.size()}, {"uri", stem + ".bin"}}};
+        write_text_file(file, json.dump(1));
+    } catch (...) {
+        std::error_code ignored;
+        for (std::filesystem::path const& part : written) std::filesystem::remove(part, ignored);
+        throw;
     }
-    write_file(file.parent_path() / (stem + ".bin"), binary_);
-    json["buffers"] = {{{"byteLength", binary_.size()}, {"uri", stem + ".bin"}}};
-    write_text_file(file, json.dump(1));
 }
 
 } // namespace alpenglow

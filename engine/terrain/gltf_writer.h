@@ -19,8 +19,10 @@ public:
     /// An image. Returns its index.
     int add_png(std::string const& name, std::vector<std::byte> png);
 
-    /// One .glb, or a .gltf with its .bin and pictures beside it, the .gltf last. Throws Error(wrong_use) where the name ends
-    /// otherwise, Error(bad_input) where a file can't be written.
+    /// Throws Error(wrong_use) where `file` ends neither with .glb nor with .gltf.
+    static void require_known_ending(std::filesystem::path const& file);
+    /// One .glb, or a .gltf with its .bin and pictures beside it, the .gltf last. Throws as above, and Error(bad_input)
+    /// where a file can't be written.
     void write(std::filesystem::path const& file);
 
 private:

@@ -28,8 +28,8 @@ Gully gully_noise(std::uint32_t seed, glm::dvec2 place, glm::dvec2 downhill) {
     double const strength = std::hypot(real, imaginary) / weights, phase = std::atan2(imaginary, real);
     double const even = strength * strength * (3 - 2 * strength); // hides the creases where the waves cancel
     double const height = 0.5 * std::cos(phase) + 0.5 * (1 - 2 * std::abs(phase) / pi);
-    double const derivative = -0.5 * std::sin(phase) - std::copysign(1 / pi, phase);
-    return {even * height, even * 2 * pi * derivative * across};
+    // Of the whole as if it were a cosine: the true derivative jumps at the crest, and what follows it would too.
+    return {even * height, even * 2 * pi * -std::sin(phase) * across};
 }
 
 } // namespace alpenglow

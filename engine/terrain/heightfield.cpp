@@ -14,8 +14,9 @@ struct Weights {
 
 Weights catmull_rom(double t) {
     double const t2 = t * t, t3 = t2 * t;
-    return {{0.5 * (-t3 + 2 * t2 - t), 0.5 * (3 * t3 - 5 * t2 + 2), 0.5 * (-3 * t3 + 4 * t2 + t), 0.5 * (t3 - t2)},
-            {0.5 * (-3 * t2 + 4 * t - 1), 0.5 * (9 * t2 - 10 * t), 0.5 * (-9 * t2 + 8 * t + 1), 0.5 * (3 * t2 - 2 * t)}};
+    return {
+        {0.5 * (-t3 + 2 * t2 - t), 0.5 * (3 * t3 - 5 * t2 + 2), 0.5 * (-3 * t3 + 4 * t2 + t), 0.5 * (t3 - t2)},
+        {0.5 * (-3 * t2 + 4 * t - 1), 0.5 * (9 * t2 - 10 * t), 0.5 * (-9 * t2 + 8 * t + 1), 0.5 * (3 * t2 - 2 * t)}};
 }
 
 } // namespace
@@ -41,6 +42,15 @@ HeightSample HeightField::sample(double east, double north) const {
     result.east /= cell();
     result.north /= cell();
     return result;
+}
+
+double HeightField::rough_altitude(double east, double north) const {
+    double const x = std::clamp((east / side_ + 0.5) * (nodes_ - 1), 0.0, nodes_ - 1.0);
+    double const y = std::clamp((north / side_ + 0.5) * (nodes_ - 1), 0.0, nodes_ - 1.0);
+    int const i = std::min(static_cast<int>(x), nodes_ - 2), j = std::min(static_cast<int>(y), nodes_ - 2);
+    double const south_side = std::lerp(double(at(i, j)), double(at(i + 1, j)), x - i);
+    double const north_side = std::lerp(double(at(i, j + 1)), double(at(i + 1, j + 1)), x - i);
+    return std::lerp(south_side, north_side, y - j);
 }
 
 } // namespace alpenglow

@@ -21,7 +21,8 @@ double Island::valley_distance(double east, double north) const {
     constexpr double pi = 3.14159265358979324;
     double const head = 0.26 * side_;
     double const along = std::min(north, head) / side_;
-    double const bends = 0.045 * std::sin(2 * pi * 1.3 * along + 0.6) + 0.09 * fractal_noise(seed_ + 31, 6 * along, 0.5, 3);
+    double const bends =
+        0.045 * std::sin(2 * pi * 1.3 * along + 0.6) + 0.09 * fractal_noise(seed_ + 31, 6 * along, 0.5, 3);
     return std::hypot(east - side_ * (bends - 0.02), north - std::min(north, head));
 }
 
@@ -30,7 +31,8 @@ double Island::uplift(double east, double north) const {
     double const massif = 0.75 + 0.55 * fractal_noise(seed_ + 47, 7 * x, 7 * y, 4);
     double const coast = 0.15 + 0.85 * smooth_step(0, 0.09 * side_, inland(east, north));
     double const ragged = 1 + 0.9 * fractal_noise(seed_ + 53, 14 * x, 14 * y, 4);
-    double const main_valley = std::lerp(0.10, 1.0, smooth_step(0.003 * side_, 0.042 * side_, ragged * valley_distance(east, north)));
+    double const main_valley =
+        std::lerp(0.10, 1.0, smooth_step(0.003 * side_, 0.042 * side_, ragged * valley_distance(east, north)));
     // Where this noise crosses zero, lines of softer uplift become the valleys that cross the range.
     double const line = std::abs(fractal_noise(seed_ + 61, 8 * x + 0.7, 8 * y, 3));
     double const cross_valley = std::lerp(0.4, 1.0, smooth_step(0.02, 0.2, line));
@@ -44,7 +46,8 @@ double Island::raw_altitude(double east, double north) const {
     double const x = east / side_, y = north / side_;
     double const crests = ridged_noise(seed_ + 59, 9 * x, 9 * y, 6);
     // 3200 m for the default side of 96 km.
-    return 0.033 * side_ * uplift(east, north) * smooth_step(0, 0.2 * side_, shore) * (0.2 + 1.1 * crests) + 0.01 * shore;
+    return 0.033 * side_ * uplift(east, north) * smooth_step(0, 0.2 * side_, shore) * (0.2 + 1.1 * crests) +
+           0.01 * shore;
 }
 
 } // namespace alpenglow

@@ -4,8 +4,8 @@
 
 namespace alpenglow {
 
-/// The plan of the land before the rivers work on it: where the shore is, how fast the rock rises, where the main valley lies.
-/// Lengths scale with the side, so that a small terrain is a small island.
+/// The plan of the land before the rivers work on it: where the shore is, how fast the rock rises, where the main
+/// valley lies. Lengths scale with the side, so that a small terrain is a small island.
 class Island {
 public:
     Island(std::uint32_t seed, double side) : seed_(seed), side_(side) {}

@@ -9,7 +9,8 @@ std::uint32_t lattice_hash(std::uint32_t seed, std::int32_t x, std::int32_t y);
 /// The same as a number in [0, 1).
 double lattice_unit(std::uint32_t seed, std::int32_t x, std::int32_t y);
 
-/// 2-D gradient noise (Perlin 2002), C2, about -1 to 1, one feature per unit. `period` > 0 makes it repeat after as many units.
+/// 2-D gradient noise (Perlin 2002), C2, about -1 to 1, one feature per unit. `period` > 0 makes it repeat after as
+/// many units.
 double gradient_noise(std::uint32_t seed, double x, double y, int period = 0);
 
 /// Sum of octaves, each of twice the frequency and half the amplitude; about -1 to 1.

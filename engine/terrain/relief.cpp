@@ -16,11 +16,11 @@ double shown(double wave, double spacing) { return smooth_step(1.8 * spacing, 3.
 
 /// [m] Ribs and gullies down the slope; each octave follows the slope that the ones before it made.
 double gullies(std::uint32_t seed, glm::dvec2 place, glm::dvec2 slope, double spacing) {
-    double sum = 0, wave = 420;
-    for (std::uint32_t octave = 0; octave < 6; ++octave, wave *= 0.53) {
+    double sum = 0, wave = 420, aspect = 0.075;
+    for (std::uint32_t octave = 0; octave < 6; ++octave, wave *= 0.53, aspect *= 0.85) {
         double const share = shown(wave, spacing), steepness = glm::length(slope);
         if (share <= 0) break;
-        double const height = share * 0.055 * wave * smooth_step(0.12, 0.75, steepness);
+        double const height = share * aspect * wave * smooth_step(0.12, 0.75, steepness);
         if (height <= 0) break;
         Gully const gully = gully_noise(seed + octave, place / wave, -slope / steepness);
         sum += height * gully.height;
@@ -35,7 +35,8 @@ double crags(std::uint32_t seed, glm::dvec2 place, double spacing) {
     for (std::uint32_t octave = 0; octave < 6; ++octave, wave *= 0.5) {
         double const share = shown(wave, spacing);
         if (share <= 0) break;
-        sum += share * 0.13 * wave * (0.5 - std::abs(gradient_noise(seed + octave, place.x / wave + octave * 0.37, place.y / wave)));
+        sum += share * 0.13 * wave *
+               (0.5 - std::abs(gradient_noise(seed + octave, place.x / wave + octave * 0.37, place.y / wave)));
     }
     return sum;
 }

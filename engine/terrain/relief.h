@@ -8,14 +8,16 @@
 
 namespace alpenglow {
 
-/// The ground as a function of the place: the eroded field, with gullies, crags and hummocks down to what the vertices show there.
+/// The ground as a function of the place: the eroded field, with gullies, crags and hummocks down to what the vertices
+/// show there.
 class Relief {
 public:
     Relief(HeightField const& field, Fineness const& fineness, std::uint32_t seed, double planet_radius)
         : field_(field), fineness_(fineness), seed_(seed), radius_(planet_radius) {}
 
     double altitude(double east, double north) const; ///< [m]
-    /// Scene frame [m]: the map point at horizontal distance d goes to arc length d on the sphere, altitude along its normal.
+    /// Scene frame [m]: the map point at horizontal distance d goes to arc length d on the sphere, altitude along its
+    /// normal.
     glm::dvec3 position(double east, double north) const { return position(east, north, altitude(east, north)); }
     glm::dvec3 position(double east, double north, double altitude) const;
     /// Unit, scene frame, of the curved ground.

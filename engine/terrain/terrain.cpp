@@ -26,17 +26,19 @@ void check_options(TerrainOptions const& o) {
     check(o.side_km >= 4 && o.side_km <= 400, fmt::format("side of {} km", o.side_km), "from 4 to 400");
     check(o.resolution >= 64 && o.resolution <= 4096, fmt::format("resolution of {}", o.resolution), "from 64 to 4096");
     check(o.erosion >= 0 && o.erosion <= 4, fmt::format("erosion of {}", o.erosion), "from 0 to 4");
-    check(o.planet_radius >= 1000 * o.side_km && o.planet_radius <= 1e9, fmt::format("planet radius of {} m", o.planet_radius),
-          "from the terrain's side to 1e9 m");
+    check(o.planet_radius >= 1000 * o.side_km && o.planet_radius <= 1e9,
+          fmt::format("planet radius of {} m", o.planet_radius), "from the terrain's side to 1e9 m");
     for (FinePlace const& place : o.fine) {
         double const farthest = std::max(std::abs(place.east), std::abs(place.north));
-        check(farthest <= 500 * o.side_km && place.radius > 0 && place.radius <= 5000, "a fine place", "inside the terrain, radius to 5000 m");
+        check(farthest <= 500 * o.side_km && place.radius > 0 && place.radius <= 5000, "a fine place",
+              "inside the terrain, radius to 5000 m");
     }
 }
 
 std::vector<FinePlace> places_of(std::vector<TerrainSite> const& sites) {
     std::vector<FinePlace> places;
-    for (TerrainSite const& site : sites) places.push_back({site.east, site.north});
+    for (TerrainSite const& site : sites)
+        places.push_back({site.east, site.north, site.name == "noon" ? 400.0 : 550.0});
     return places;
 }
 
@@ -51,15 +53,22 @@ std::uint64_t hash_of(std::string const& text) {
 
 std::vector<TerrainSite> write_terrain(TerrainOptions const& options, std::filesystem::path const& file) {
     check_options(options);
+    GltfWriter::require_known_ending(file);
     constexpr int steps = 1000, eroded = 600, tiled = 950; // by the time that each takes
     Progress progress("Terrain", steps);
     double const side = 1000 * options.side_km;
-    HeightField const field = make_eroded_field({options.seed, side, options.resolution, options.erosion, options.threads},
-                                                [&](int done, int all) { progress.update(eroded * done / all, "rivers"); });
+    HeightField const field =
+        make_eroded_field({options.seed, side, options.resolution, options.erosion, options.threads},
+                          [&](int done, int all) { progress.update(eroded * done / all, "rivers"); });
     std::vector<TerrainSite> sites = find_sites(field, options.planet_radius, options.threads);
     Fineness const fineness(options.fine.empty() ? places_of(sites) : options.fine);
     Relief const relief(field, fineness, options.seed, options.planet_radius);
-    for (TerrainSite& site : sites) site.altitude = relief.altitude(site.east, site.north);
+    auto const ground = [&](double east, double north) { return relief.altitude(east, north); };
+    for (TerrainSite& site : sites) {
+        // The finer relief has other summits than the field.
+        if (site.name == "ridge") move_to_highest(ground, 250, 8, site.east, site.north);
+        site.altitude = ground(site.east, site.north);
+    }
     std::vector<Tile> const tiles = make_tiles(relief, options.seed, options.threads, [&](int done, int all) {
         progress.update(eroded + (tiled - eroded) * done / all, "tiles");
     });
@@ -71,10 +80,12 @@ std::vector<TerrainSite> write_terrain(TerrainOptions const& options, std::files
 std::filesystem::path default_terrain(double planet_radius) {
     TerrainOptions options;
     options.planet_radius = planet_radius;
-    std::string const key = fmt::format("{} {} {} {} {} {}", GENERATOR_VERSION, options.seed, options.side_km, options.planet_radius,
-                                        options.resolution, options.erosion);
+    std::string const key = fmt::format("{} {} {} {} {} {}", GENERATOR_VERSION, options.seed, options.side_km,
+                                        options.planet_radius, options.resolution, options.erosion);
     std::filesystem::path const file = cache_folder() / fmt::format("terrain-{:016x}.glb", hash_of(key));
-    if (!std::filesystem::is_regular_file(file)) write_terrain(options, file);
+    if (std::filesystem::is_regular_file(file)) return file;
+    require_writable_folder(file.parent_path(), "set ALPENGLOW_CACHE to a folder for the generated scene");
+    write_terrain(options, file);
     return file;
 }
 

@@ -10,6 +10,7 @@
 namespace alpenglow {
 
 /// One node and one mesh for each tile, under one material; the sites in the scene's extras.
-GltfWriter terrain_gltf(std::vector<Tile> const& tiles, DetailPictures const& pictures, std::vector<TerrainSite> const& sites);
+GltfWriter terrain_gltf(std::vector<Tile> const& tiles, DetailPictures const& pictures,
+                        std::vector<TerrainSite> const& sites);
 
 } // namespace alpenglow

@@ -9,12 +9,13 @@ CONSTANT float GOLDEN_ANGLE = 2.39996322972865f; // [rad]
 CONSTANT float TINY = 1e-30f;                    // keeps 0/0 at 0 and log(0) finite
 
 // (1 - exp(-x)) / x, for x >= 0: the mean transmittance inside a homogeneous layer of optical depth x. 1 at x = 0.
-// Series below 1/8, where the difference would cancel; relative error 3e-7 in float.
-INLINE float mean_transmittance(float x) {
-    float series =
-        1.0f - x * (1.0f / 2.0f) * (1.0f - x * (1.0f / 3.0f) * (1.0f - x * (1.0f / 4.0f) * (1.0f - x * 0.2f)));
-    return x < 0.125f ? series : (1.0f - exp(-x)) / max(x, 0.125f);
+// Series below 1/8, where the difference would cancel; relative error 3e-7 in float. `through` is exp(-x).
+INLINE float mean_transmittance_of(float x, float through) {
+    float series = 1.0f - x * (1.0f / 2.0f) * (1.0f - x * (1.0f / 3.0f) * (1.0f - x * (1.0f / 4.0f) * (1.0f - x * 0.2f)));
+    return x < 0.125f ? series : (1.0f - through) / max(x, 0.125f);
 }
+
+INLINE float mean_transmittance(float x) { return mean_transmittance_of(x, exp(-x)); }
 
 INLINE vec3 mean_transmittance3(vec3 x) {
     return vec3(mean_transmittance(x.x), mean_transmittance(x.y), mean_transmittance(x.z));
@@ -27,6 +28,17 @@ INLINE float one_minus_exp(float x) { return x * mean_transmittance(x); }
 INLINE float minus_log_one_minus(float x) {
     float series = x * (1.0f + x * (0.5f + x * (1.0f / 3.0f + x * (0.25f + x * (0.2f + x * (1.0f / 6.0f))))));
     return x < 0.0625f ? series : -log(1.0f - x);
+}
+
+// How tables hold what spans powers of ten: as its 32nd root. Linear interpolation of that follows an exponential as
+// well as a logarithm does, and it comes back with five products in place of an exponential.
+INLINE vec3 root32(vec3 x) { return sqrt(sqrt(sqrt(sqrt(sqrt(x))))); }
+INLINE vec3 power32(vec3 x) {
+    vec3 x2 = x * x;
+    vec3 x4 = x2 * x2;
+    vec3 x8 = x4 * x4;
+    vec3 x16 = x8 * x8;
+    return x16 * x16;
 }
 
 // Texture coordinate of x in [0, 1] on an axis of `size` texels whose first and last centres hold 0 and 1; and back.

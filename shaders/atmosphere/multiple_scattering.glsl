@@ -2,7 +2,7 @@
 // Every order from the second on is taken as isotropic, and the light around a point as the light at the point; then
 // the orders are a geometric series. Psi is the mean radiance over all directions [1/sr per unit of solar irradiance
 // above the air]: the source of orders >= 2 is (Rayleigh scattering + aerosol scattering) · Psi · solar irradiance.
-// Table: MULTIPLE_SCATTERING_SIZE², rgb = log Psi; between two nodes of twilight Psi falls by powers of ten.
+// Table: MULTIPLE_SCATTERING_WIDTH x MULTIPLE_SCATTERING_HEIGHT, rgb = 32nd root of Psi; between two nodes of twilight Psi falls by powers of ten.
 #ifndef ALPENGLOW_ATMOSPHERE_MULTIPLE_SCATTERING_GLSL
 #define ALPENGLOW_ATMOSPHERE_MULTIPLE_SCATTERING_GLSL
 #include "atmosphere/phase.glsl"
@@ -79,11 +79,11 @@ INLINE vec3 compute_multiple_scattering(Atmosphere atmosphere, sampler2D transmi
 }
 
 // The texel that stores Psi, and Psi from the table.
-INLINE vec4 multiple_scattering_texel(vec3 psi) { return vec4(log(max(psi, vec3(TINY))), 1.0f); }
+INLINE vec4 multiple_scattering_texel(vec3 psi) { return vec4(root32(psi), 1.0f); }
 
 INLINE vec3 sample_multiple_scattering(sampler2D table, Atmosphere atmosphere, float h, float mu_s) {
-    vec2 uv = sun_table_uv(atmosphere, h, mu_s, MULTIPLE_SCATTERING_SIZE, MULTIPLE_SCATTERING_SIZE);
-    return exp(vec3(sample_bilinear(table, uv)));
+    vec2 uv = sun_table_uv(atmosphere, h, mu_s, MULTIPLE_SCATTERING_WIDTH, MULTIPLE_SCATTERING_HEIGHT);
+    return power32(vec3(sample_bilinear(table, uv)));
 }
 
 SHADER_NAMESPACE_END

@@ -17,10 +17,15 @@ INLINE vec3 integrate_segment(vec3 source, vec3 extinction, float segment_length
     return source * mean_transmittance3(extinction * segment_length) * segment_length;
 }
 
-// Adds the next cell: its source [radiance/m] and extinction [1/m] as in its middle, its length [m].
+// Adds the next cell: its source [radiance/m] and extinction [1/m] as in its middle, its length [m]. One exponential for
+// what the cell lets through and what it adds.
 INLINE void add_cell(INOUT(AirLight) light, vec3 source, vec3 extinction, float segment_length) {
-    light.inscattered += light.transmittance * integrate_segment(source, extinction, segment_length);
-    light.transmittance *= exp(-extinction * segment_length);
+    vec3 depth = extinction * segment_length;
+    vec3 through = exp(-depth);
+    vec3 mean = vec3(mean_transmittance_of(depth.x, through.x), mean_transmittance_of(depth.y, through.y),
+                     mean_transmittance_of(depth.z, through.z));
+    light.inscattered += light.transmittance * source * mean * segment_length;
+    light.transmittance *= through;
 }
 
 // What the camera sees of a surface behind the air.

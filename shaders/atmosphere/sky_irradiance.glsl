@@ -1,6 +1,6 @@
 // The sky's irradiance on a horizontal plane that faces up, by altitude and sun, without the direct sun; per unit of
 // solar irradiance above the air.
-// Table: SKY_IRRADIANCE_WIDTH x SKY_IRRADIANCE_HEIGHT, rgb = log of it, because it spans ten powers of ten in twilight.
+// Table: SKY_IRRADIANCE_WIDTH x SKY_IRRADIANCE_HEIGHT, rgb = its 32nd root, because it spans ten powers of ten in twilight.
 #ifndef ALPENGLOW_ATMOSPHERE_SKY_IRRADIANCE_GLSL
 #define ALPENGLOW_ATMOSPHERE_SKY_IRRADIANCE_GLSL
 #include "atmosphere/inscattering.glsl"
@@ -32,11 +32,11 @@ INLINE vec3 compute_sky_irradiance(Atmosphere atmosphere, sampler2D transmittanc
 }
 
 // The texel that stores an irradiance, and the irradiance from the table.
-INLINE vec4 sky_irradiance_texel(vec3 irradiance) { return vec4(log(max(irradiance, vec3(TINY))), 1.0f); }
+INLINE vec4 sky_irradiance_texel(vec3 irradiance) { return vec4(root32(irradiance), 1.0f); }
 
 INLINE vec3 sample_sky_irradiance(sampler2D table, Atmosphere atmosphere, float h, float mu_s) {
     vec2 uv = sun_table_uv(atmosphere, h, mu_s, SKY_IRRADIANCE_WIDTH, SKY_IRRADIANCE_HEIGHT);
-    return exp(vec3(sample_bilinear(table, uv)));
+    return power32(vec3(sample_bilinear(table, uv)));
 }
 
 // Irradiance on a plane whose normal has the cosine `cos_up` with the zenith, between an even sky of the horizontal

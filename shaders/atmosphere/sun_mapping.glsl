@@ -6,24 +6,23 @@
 #include "interop/atmosphere.h"
 SHADER_NAMESPACE_BEGIN
 
-// mu_s = sinh(a X) / sinh(a) with -1 <= X <= 1: a step at the terminator is a / sinh(a) = 0.15 of a linear one, and a
-// step at the zenith 4. A linear cosine is 40 to 70 % off at -6 degrees.
-CONSTANT float SUN_AXIS_BEND = 4.0f;
-CONSTANT float SUN_AXIS_SINH = 27.2899172f; // sinh(SUN_AXIS_BEND)
+// mu_s = X (B + (1 - B) |X|) with -1 <= X <= 1: a step at the terminator is B of an even one. A linear cosine is 40 to 70 % off
+// at -6 degrees.
+CONSTANT float SUN_AXIS_SLOPE = 0.1f; // B
 
 // Altitude [m] is clamped to the air.
 INLINE vec2 sun_table_uv(Atmosphere atmosphere, float h, float mu_s, int width, int height) {
-    float z = SUN_AXIS_SINH * abs(mu_s);
-    float x = log(z + sqrt(z * z + 1.0f)) / SUN_AXIS_BEND;
+    float x = (sqrt(SUN_AXIS_SLOPE * SUN_AXIS_SLOPE + 4.0f * (1.0f - SUN_AXIS_SLOPE) * abs(mu_s)) - SUN_AXIS_SLOPE) /
+              (2.0f * (1.0f - SUN_AXIS_SLOPE));
     float y = sqrt(clamp(h / atmosphere.top_altitude, 0.0f, 1.0f));
     return vec2(uv_from_unit(clamp(0.5f + 0.5f * (mu_s < 0.0f ? -x : x), 0.0f, 1.0f), width), uv_from_unit(y, height));
 }
 
 // x = altitude [m], y = mu_s.
 INLINE vec2 altitude_sun_from_uv(Atmosphere atmosphere, vec2 uv, int width, int height) {
-    float z = SUN_AXIS_BEND * (2.0f * clamp(unit_from_uv(uv.x, width), 0.0f, 1.0f) - 1.0f);
+    float x = 2.0f * clamp(unit_from_uv(uv.x, width), 0.0f, 1.0f) - 1.0f;
     float y = clamp(unit_from_uv(uv.y, height), 0.0f, 1.0f);
-    return vec2(atmosphere.top_altitude * y * y, clamp(sinh(z) / SUN_AXIS_SINH, -1.0f, 1.0f));
+    return vec2(atmosphere.top_altitude * y * y, x * (SUN_AXIS_SLOPE + (1.0f - SUN_AXIS_SLOPE) * abs(x)));
 }
 
 SHADER_NAMESPACE_END

@@ -1,5 +1,5 @@
 // Optical depth from a point to the top of the air, its table, and what is read from it.
-// Table: TRANSMITTANCE_WIDTH x TRANSMITTANCE_HEIGHT, rgb = log of optical depth, which is nearly linear in altitude; x
+// Table: TRANSMITTANCE_WIDTH x TRANSMITTANCE_HEIGHT, rgb = 32nd root of optical depth; x
 // the distance to the top of the air between its smallest and largest value at that altitude, y the distance to the
 // horizon (Bruneton and Neyret 2008, as told by Sakmary in 3.1.1, but for his altitude axis). Only directions above the
 // horizon are stored.
@@ -14,18 +14,23 @@ SHADER_NAMESPACE_BEGIN
 // Three Gauss-Legendre nodes in each cell: 0.2 % at most where T > 1e-4.
 CONSTANT int OPTICAL_DEPTH_CELLS = 40;
 
-// Altitude [m] is clamped to the air, mu to the horizon.
-INLINE vec2 transmittance_uv_from_altitude_mu(Atmosphere atmosphere, float altitude, float mu) {
+// Altitude [m] is clamped to the air, the direction to the horizon. `along` = r mu [m].
+INLINE vec2 transmittance_uv_from_altitude_along(Atmosphere atmosphere, float altitude, float along) {
     float h = clamp(altitude, 0.0f, atmosphere.top_altitude);
     float radius = atmosphere.ground_radius;
     float rho = sqrt(power_from_altitude(radius, h));
     float rho_top = sqrt(power_from_altitude(radius, atmosphere.top_altitude));
-    AirRay ray = make_air_ray(radius, h, max(mu, horizon_mu(radius, h)), 0.0f, 0.0f);
+    AirRay ray = AirRay(radius, h, max(along, -rho), 0.0f, 0.0f);
     float nearest = atmosphere.top_altitude - h;
     float farthest = rho + rho_top;
     float x = (distance_out_of(ray, atmosphere.top_altitude) - nearest) / (farthest - nearest);
     return vec2(uv_from_unit(clamp(x, 0.0f, 1.0f), TRANSMITTANCE_WIDTH),
                 uv_from_unit(rho / rho_top, TRANSMITTANCE_HEIGHT));
+}
+
+INLINE vec2 transmittance_uv_from_altitude_mu(Atmosphere atmosphere, float altitude, float mu) {
+    float h = clamp(altitude, 0.0f, atmosphere.top_altitude);
+    return transmittance_uv_from_altitude_along(atmosphere, h, (atmosphere.ground_radius + h) * mu);
 }
 
 // x = altitude [m], y = mu.
@@ -67,28 +72,37 @@ INLINE vec3 compute_optical_depth_to_top(Atmosphere atmosphere, float h, float m
 }
 
 // The texel that stores an optical depth.
-INLINE vec4 optical_depth_texel(vec3 depth) { return vec4(log(max(depth, vec3(TINY))), 1.0f); }
+INLINE vec4 optical_depth_texel(vec3 depth) { return vec4(root32(depth), 1.0f); }
 
 // From the table; mu below the horizon reads the horizon's value. Above the top of the air: that of the top.
 INLINE vec3 sample_optical_depth(sampler2D table, Atmosphere atmosphere, float h, float mu) {
-    return exp(vec3(sample_bilinear(table, transmittance_uv_from_altitude_mu(atmosphere, h, mu))));
+    return power32(vec3(sample_bilinear(table, transmittance_uv_from_altitude_mu(atmosphere, h, mu))));
 }
 
 // The share of the sun's disc above the geometric horizon, exactly 0 to exactly 1, from altitude h [m]. Of a disc whose
 // centre stands x radii above a line the share is 1/2 + (x sqrt(1 - x²) + asin x) / pi; the polynomial in
 // y = (x + 1) / 2 is within 0.006 of it.
-INLINE float sun_above_horizon(Atmosphere atmosphere, float h, float mu_s) {
-    float altitude = max(h, 0.0f);
+INLINE float sun_above_horizon_along(Atmosphere atmosphere, float h, float sun_along) {
     float radius = atmosphere.ground_radius;
-    float elevation = (mu_s - horizon_mu(radius, altitude)) * (radius + altitude) / radius;
+    float elevation = (sun_along + sqrt(power_from_altitude(radius, max(h, 0.0f)))) / radius; // [rad] above the horizon
     float y = clamp(0.5f + 0.5f * elevation / max(atmosphere.sun_angular_radius, 1e-6f), 0.0f, 1.0f);
     float bell = y * (1.0f - y);
     return y * y * (3.0f - 2.0f * y) + (1.0f - 2.0f * y) * bell * bell * (3.489f - 6.70f * bell);
 }
 
+INLINE float sun_above_horizon(Atmosphere atmosphere, float h, float mu_s) {
+    return sun_above_horizon_along(atmosphere, h, (atmosphere.ground_radius + max(h, 0.0f)) * mu_s);
+}
+
 // The share of the sun's light above the air that reaches a point at altitude h [m]: air, and the planet's own shadow.
+// `sun_along` = r mu_s [m].
+INLINE vec3 sample_sun_transmittance_along(sampler2D table, Atmosphere atmosphere, float h, float sun_along) {
+    vec3 depth = power32(vec3(sample_bilinear(table, transmittance_uv_from_altitude_along(atmosphere, h, sun_along))));
+    return exp(-depth) * sun_above_horizon_along(atmosphere, h, sun_along);
+}
+
 INLINE vec3 sample_sun_transmittance(sampler2D table, Atmosphere atmosphere, float h, float mu_s) {
-    return exp(-sample_optical_depth(table, atmosphere, h, mu_s)) * sun_above_horizon(atmosphere, h, mu_s);
+    return sample_sun_transmittance_along(table, atmosphere, h, (atmosphere.ground_radius + max(h, 0.0f)) * mu_s);
 }
 
 struct SegmentTransmittance {

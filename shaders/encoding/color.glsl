@@ -16,7 +16,8 @@ INLINE vec3 exponential_curve(vec3 x) { return vec3(1.0f) - exp(-x); }
 
 // A filmic curve with a toe and a shoulder: the rational fit of the ACES reference rendering for Rec.709 displays by
 // Narkowicz (2015), with his exposure factor of 0.6. Keeps hue better with a touch of desaturation towards white.
-INLINE vec3 filmic_curve(vec3 radiance) {
+INLINE vec3 filmic_curve(vec3 exposed) {
+    vec3 radiance = min(exposed, vec3(1e6f)); // white long before; its square is finite
     float luminance = dot(radiance, vec3(0.2126f, 0.7152f, 0.0722f));
     float bleach = luminance / (luminance + 4.0f); // tuned: the sun's surroundings go white instead of yellow-green
     vec3 x = mix(radiance, vec3(luminance), 0.5f * bleach) * 0.6f;

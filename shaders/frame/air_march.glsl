@@ -28,7 +28,7 @@ Span span_below(AirRay ray, float altitude) {
 
 // The stretch of `ray` that meshes can shade. The ray starts `entry` [m] from the camera; `light` is its direction in the sun's frame.
 Span shaded_span(AirRay ray, vec3 light, float entry, float end) {
-    Cascade last = frame.cascades[frame.cascade_count - 1];
+    Cascade last = frame.cascades[MOST_CASCADES - 1];
     vec2 slope = light.xy * last.scale;
     vec2 start = last.offset + slope * entry;
     Span span = crossed(unit_span(start.x, slope.x), unit_span(start.y, slope.y));
@@ -36,46 +36,51 @@ Span shaded_span(AirRay ray, vec3 light, float entry, float end) {
     return crossed(span, Span(0.0, end));
 }
 
-// Adds the light of one cell, seen by the share `visibility` of the sun.
-void add_air_cell(inout AirLight light, RayPhases phases, AirPoint point, float visibility, float cell_length) {
-    Medium medium = medium_at(frame.atmosphere, point.altitude);
-    vec3 sun = sample_sun_transmittance(transmittance_table, frame.atmosphere, point.altitude, point.mu_s) * visibility;
+// Adds the light of one cell, evaluated at distance t [m] and seen by the share `visibility` of the sun.
+void add_air_cell(inout AirLight light, Atmosphere atmosphere, RayPhases phases, AirRay ray, float t, float visibility, float cell_length) {
+    float altitude = altitude_at(ray, t), sun_along = ray.sun_along + t * ray.nu;
+    Medium medium = medium_at(atmosphere, altitude);
+    vec3 sun = sample_sun_transmittance_along(transmittance_table, atmosphere, altitude, sun_along) * visibility;
     vec3 psi = vec3(0.0);
     if ((frame.flags & FRAME_MULTIPLE_SCATTERING) != 0) {
-        psi = sample_multiple_scattering(multiple_scattering_table, frame.atmosphere, point.altitude, point.mu_s);
+        float mu_s = sun_along / (atmosphere.ground_radius + altitude);
+        psi = sample_multiple_scattering(multiple_scattering_table, atmosphere, altitude, mu_s);
     }
     add_cell(light, inscattering_source(medium, phases, sun, psi), medium.extinction, cell_length);
 }
 
 // `n` even cells, each looking into the cascades.
-AirLight march_shaded(AirRay ray, RayPhases phases, vec3 light, float entry, Span span, int n, float dither) {
+AirLight march_shaded(Atmosphere atmosphere, AirRay ray, RayPhases phases, vec3 light, float entry, Span span, int n, float dither) {
     AirLight result = no_air_light();
     float cell = (span.end - span.begin) / float(max(n, 1));
     for (int i = 0; i < n; ++i) {
         float t = span.begin + (float(i) + dither) * cell;
-        float visibility = air_visibility(frame, shadow_cascades, light * (t + entry));
-        add_air_cell(result, phases, air_point_at(ray, t), visibility, cell);
+        float visibility = air_visibility(light * (t + entry));
+        add_air_cell(result, atmosphere, phases, ray, t, visibility, cell);
     }
     return result;
 }
 
 // `before` cells over one stretch, `behind` over another, with `between` in their middle. One loop, so that both stretches cost one.
-AirLight march_around(AirRay ray, RayPhases phases, Span first, int before, AirLight between, Span second, int behind) {
+AirLight march_around(Atmosphere atmosphere, AirRay ray, RayPhases phases, Span first, int before, AirLight between, Span second, int behind) {
     AirLight result = no_air_light();
     MarchCells cells_before = make_march_cells(frame.atmosphere, ray, first.begin, max(first.end, first.begin));
     MarchCells cells_behind = make_march_cells(frame.atmosphere, ray, second.begin, max(second.end, second.begin));
     MarchCells cells = cells_before;
     int count = before, index = 0;
+    float from = first.begin;
     for (int i = 0; i < before + behind; ++i, ++index) {
         if (i == before) {
+            from = second.begin;
             result.inscattered += result.transmittance * between.inscattered;
             result.transmittance *= between.transmittance;
             cells = cells_behind;
             count = behind;
             index = 0;
         }
-        MarchCell cell = march_cell(cells, index, count);
-        add_air_cell(result, phases, air_point_at(ray, cell.middle), 1.0, cell.end - cell.begin);
+        MarchCell cell = march_cell_from(cells, from, index, count);
+        from = cell.end;
+        add_air_cell(result, atmosphere, phases, ray, cell.middle, 1.0, cell.end - cell.begin);
     }
     if (behind == 0) {
         result.inscattered += result.transmittance * between.inscattered;
@@ -102,6 +107,7 @@ vec3 segment_transmittance(AirRay ray, float end, vec3 marched) {
 
 // `distance` [m] to the surface, negative for the sky. Everything relative to the sun's irradiance above the air.
 AirLight march_air(ivec2 pixel, AirRay from_camera, vec3 light, float distance) {
+    Atmosphere atmosphere = frame.atmosphere; // read once, before the loops
     float entry;
     AirRay ray = enter_air(frame.atmosphere, from_camera, entry);
     AirSegment air = air_segment(frame.atmosphere, ray);
@@ -122,11 +128,11 @@ AirLight march_air(ivec2 pixel, AirRay from_camera, vec3 light, float distance) 
     }
     float dither = 0.5;
     if ((frame.flags & FRAME_MARCH_DITHER) != 0) dither = gradient_noise(vec2(pixel) + 5.588238 * float(frame.sample_index));
-    AirLight between = march_shaded(ray, phases, light, entry, shaded, inside, dither);
+    AirLight between = march_shaded(atmosphere, ray, phases, light, entry, shaded, inside, dither);
 
     Span first = Span(0.0, shaded.begin), second = Span(shaded.end, end);
     int before = rest > 0 ? cells_before(ray, first, second, rest) : 0;
-    AirLight result = march_around(ray, phases, first, before, between, second, rest - before);
+    AirLight result = march_around(atmosphere, ray, phases, first, before, between, second, rest - before);
     result.transmittance = segment_transmittance(ray, end, result.transmittance);
     return result;
 }

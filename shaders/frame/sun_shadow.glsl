@@ -1,65 +1,84 @@
-// Looking into the shadow cascades. A cascade is chosen without branches: they are nested, so that the number of those that
-// a place lies outside of is the index of the first that holds it.
+// Looking into the shadow cascades. A cascade is chosen without branches or loops: they are nested, so the finest that holds a
+// place is the first. Included by the lighting pass: reads its `frame` and `shadow_cascades`.
 #ifndef ALPENGLOW_FRAME_SUN_SHADOW
 #define ALPENGLOW_FRAME_SUN_SHADOW
 #include "interop/frame.h"
 
-// Place across the sun's rays in cascade i, 0 to 1.
-vec2 cascade_uv(FrameConstants frame, int i, vec2 light) { return light * frame.cascades[i].scale + frame.cascades[i].offset; }
+// A place in the cascade that was chosen for it.
+struct CascadePlace {
+    vec2 uv;
+    float layer;
+    float texel;      // [m]
+    float texel_uv;   // the same in texture coordinates
+    float inside;     // 1 at the cascade's centre, 0 at its edge
+    float last_inside; // the same for the last cascade
+};
 
-// How far inside cascade i: 1 at the centre, 0 at the edge, negative outside.
-float cascade_depth_inside(FrameConstants frame, int i, vec2 light) {
-    vec2 from_centre = abs(cascade_uv(frame, i, light) - 0.5);
+vec2 cascade_uv(Cascade cascade, vec2 light) { return light * cascade.scale + cascade.offset; }
+
+// How far inside a cascade: 1 at the centre, 0 at the edge, negative outside.
+float inside_cascade(vec2 uv) {
+    vec2 from_centre = abs(uv - 0.5);
     return 1.0 - 2.0 * max(from_centre.x, from_centre.y);
 }
 
-// The first cascade that holds the place; cascade_count where none does.
-int cascade_of(FrameConstants frame, vec2 light, float margin) {
-    int outside = 0;
-    for (int i = 0; i < MOST_CASCADES; ++i) {
-        outside += i < frame.cascade_count && cascade_depth_inside(frame, i, light) < margin ? 1 : 0;
-    }
-    return outside;
+CascadePlace place_in(Cascade cascade, float layer, vec2 uv) {
+    return CascadePlace(uv, layer, cascade.texel, cascade.texel * cascade.scale, inside_cascade(uv), 0.0);
 }
 
-float light_depth(FrameConstants frame, float z) { return z * frame.light_depth.x + frame.light_depth.y; }
-
-// 1 where the sun reaches a place in the air, 0 in shadow; fades to lit at the cascades' reach. `light`: in the sun's frame.
-float air_visibility(FrameConstants frame, sampler2DArrayShadow cascades, vec3 light) {
-    int last = frame.cascade_count - 1;
-    int chosen = min(cascade_of(frame, light.xy, 0.004), last);
-    float lit = texture(cascades, vec4(cascade_uv(frame, chosen, light.xy), float(chosen), light_depth(frame, light.z)));
-    float edge = clamp(cascade_depth_inside(frame, last, light.xy) / frame.shadow_fade, 0.0, 1.0);
-    return mix(1.0, lit, edge);
+// The finest cascade from `first` on that holds `light` [m], a place in the sun's frame, with `margin` to spare; else the last.
+CascadePlace choose_cascade(vec2 light, float margin, float first) {
+    vec2 uv0 = cascade_uv(frame.cascades[0], light), uv1 = cascade_uv(frame.cascades[1], light);
+    vec2 uv2 = cascade_uv(frame.cascades[2], light), uv3 = cascade_uv(frame.cascades[3], light);
+    CascadePlace place = place_in(frame.cascades[3], 3.0, uv3);
+    float last_inside = place.inside;
+    if (first <= 2.0 && inside_cascade(uv2) > margin) place = place_in(frame.cascades[2], 2.0, uv2);
+    if (first <= 1.0 && inside_cascade(uv1) > margin) place = place_in(frame.cascades[1], 1.0, uv1);
+    if (first <= 0.0 && inside_cascade(uv0) > margin) place = place_in(frame.cascades[0], 0.0, uv0);
+    place.layer = min(place.layer, float(frame.cascade_count - 1));
+    place.last_inside = last_inside;
+    return place;
 }
 
-// 3x3 comparisons of a surface against cascade i. The surface is moved out along its normal by as much as the filter reaches
-// at its slope, so that it does not shade itself.
-float surface_visibility_in(FrameConstants frame, sampler2DArrayShadow cascades, int i, vec3 light, vec3 light_normal) {
+// What lies behind the whole scene is compared as if it stood at the scene's far end: a float depth isn't clamped by itself,
+// and the cleared depth of 1 would shade it.
+float light_depth(float z) { return clamp(z * frame.light_depth.x + frame.light_depth.y, 0.0, 1.0); }
+
+// Nothing is known at the cascades' reach, and it counts as lit; the change is spread over a margin.
+float faded(float lit, float last_inside) { return mix(1.0, lit, clamp(last_inside / frame.shadow_fade, 0.0, 1.0)); }
+
+// 1 where the sun reaches a place in the air, 0 in shadow. `light`: in the sun's frame, from the camera [m].
+float air_visibility(vec3 light) {
+    CascadePlace place = choose_cascade(light.xy, 0.004, 0.0);
+    float lit = texture(shadow_cascades, vec4(place.uv, place.layer, light_depth(light.z)));
+    return faded(lit, place.last_inside);
+}
+
+// 3x3 comparisons of a surface against a cascade. The surface is moved out along its normal by as much as the filter
+// reaches at its slope, so that it does not shade itself.
+float surface_visibility_in(CascadePlace place, vec3 light, vec3 light_normal) {
     float cosine = clamp(-light_normal.z, 0.0, 1.0);
-    float sine = sqrt(1.0 - cosine * cosine);
-    vec3 moved = light + light_normal * (frame.cascades[i].texel * (0.4 + 2.0 * sine));
-    vec2 uv = cascade_uv(frame, i, moved.xy);
-    vec2 texel = frame.cascades[i].texel * frame.cascades[i].scale;
-    float depth = light_depth(frame, moved.z);
+    vec3 moved = light_normal * (place.texel * (0.4 + 1.6 * sqrt(1.0 - cosine * cosine)));
+    vec2 uv = place.uv + moved.xy * (place.texel_uv / place.texel);
+    float depth = light_depth(light.z + moved.z);
     float lit = 0.0;
     for (int y = -1; y <= 1; ++y) {
-        for (int x = -1; x <= 1; ++x) lit += texture(cascades, vec4(uv + vec2(x, y) * texel, float(i), depth));
+        for (int x = -1; x <= 1; ++x) lit += texture(shadow_cascades, vec4(uv + vec2(x, y) * place.texel_uv, place.layer, depth));
     }
     return lit / 9.0;
 }
 
-// 1 in the sun, 0 in shadow, blended from one cascade to the next over a tenth of its width.
-float surface_visibility(FrameConstants frame, sampler2DArrayShadow cascades, vec3 light, vec3 light_normal) {
-    const float BLEND = 0.1, MARGIN = 0.01;
-    int last = frame.cascade_count - 1;
-    int near = min(cascade_of(frame, light.xy, MARGIN), last);
-    int far = min(near + 1, last);
-    float inside = clamp((cascade_depth_inside(frame, near, light.xy) - MARGIN) / BLEND, 0.0, 1.0);
-    float lit = mix(surface_visibility_in(frame, cascades, far, light, light_normal),
-                    surface_visibility_in(frame, cascades, near, light, light_normal), near == last ? 1.0 : inside);
-    float edge = clamp(cascade_depth_inside(frame, last, light.xy) / frame.shadow_fade, 0.0, 1.0);
-    return mix(1.0, lit, edge);
+const float SURFACE_MARGIN = 0.01; // of a cascade's half width: room for the filter
+const float SURFACE_BLEND = 0.1;   // over which one cascade goes over into the next
+
+// 1 in the sun, 0 in shadow, blended from one cascade to the next.
+float surface_visibility(vec3 light, vec3 light_normal) {
+    CascadePlace near = choose_cascade(light.xy, SURFACE_MARGIN, 0.0);
+    CascadePlace far = choose_cascade(light.xy, SURFACE_MARGIN, near.layer + 1.0);
+    float share = clamp((near.inside - SURFACE_MARGIN) / SURFACE_BLEND, 0.0, 1.0);
+    float lit = surface_visibility_in(near, light, light_normal);
+    if (share < 1.0) lit = mix(surface_visibility_in(far, light, light_normal), lit, share);
+    return faded(lit, near.last_inside);
 }
 
 #endif

@@ -27,7 +27,8 @@ SHADER_NAMESPACE_END
 // Shapes of the tables, in texels.
 #define TRANSMITTANCE_WIDTH 512  // cosine of the zenith angle, dense at the horizon
 #define TRANSMITTANCE_HEIGHT 128 // altitude
-#define MULTIPLE_SCATTERING_SIZE 32 // sun zenith x altitude
+#define MULTIPLE_SCATTERING_WIDTH 64  // sun zenith
+#define MULTIPLE_SCATTERING_HEIGHT 32 // altitude
 #define SKY_IRRADIANCE_WIDTH 64  // sun zenith
 #define SKY_IRRADIANCE_HEIGHT 16 // altitude
 

@@ -24,9 +24,10 @@
 
 SHADER_NAMESPACE_BEGIN
 
-// One shadow cascade: a square around a point that the view cares about, in the sun's frame. Cascades are nested.
+// One shadow cascade: a square around a point that the view cares about, in the sun's frame. Cascades are nested. Those
+// beyond cascade_count repeat the last, so that shaders need not ask.
 struct Cascade {
-    vec2 scale;   // texture coordinates = light.xy * scale + offset [1/m]
+    float scale;  // texture coordinates = light.xy * scale + offset [1/m]
     vec2 offset;
     float texel;  // [m] width of a texel
 };
@@ -57,7 +58,7 @@ struct FrameConstants {
     int samples;                   // of the march
     int sample_index;              // which supersample this is
 };
-CHECK_SIZE(FrameConstants, 696);
+CHECK_SIZE(FrameConstants, 680);
 
 SHADER_NAMESPACE_END
 #endif

@@ -4,7 +4,7 @@
 #include "interop/frame.h"
 
 #define TRANSMITTANCE_FRAME_SLOT 0 // uniform buffer: FrameConstants
-// Out, rgba32f, TRANSMITTANCE_WIDTH x TRANSMITTANCE_HEIGHT: rgb = log of optical depth.
+// Out, rgba32f, TRANSMITTANCE_WIDTH x TRANSMITTANCE_HEIGHT: rgb = 32nd root of optical depth.
 #define TRANSMITTANCE_TABLE_SLOT 1
 
 #endif

@@ -22,7 +22,6 @@ layout(set = 0, binding = LIGHTING_LIT_SLOT, rgba32f) uniform writeonly image2D 
 layout(push_constant, scalar) uniform Push { LightingPush push; };
 
 #include "frame/air_march.glsl"
-#include "frame/sun_shadow.glsl"
 
 bool has_flag(int flag) { return (frame.flags & flag) != 0; }
 
@@ -63,8 +62,8 @@ vec3 surface_radiance(ivec2 pixel, PixelRay ray, AirPoint place, vec3 light) {
     }
     float visibility = 1.0;
     if (has_flag(FRAME_SHADOWS)) {
-        visibility = surface_visibility(frame, shadow_cascades, light, frame.light_from_world * facing);
-        visibility *= smoothstep(0.0, 0.05, dot(facing, frame.to_sun)); // what turns away from the sun is in its own shadow
+        visibility = surface_visibility(light, frame.light_from_world * facing);
+        visibility *= smoothstep(0.0, 0.02, dot(facing, frame.to_sun)); // what turns away from the sun is in its own shadow
     }
     // Up at the surface: the camera's up moved along the ray.
     vec3 up = normalize(frame.camera_up * (frame.atmosphere.ground_radius + frame.camera_altitude) + ray.direction * ray.distance);
@@ -84,9 +83,10 @@ float sun_disc(PixelRay ray) {
     return has_flag(FRAME_SUN_DISC) ? share / (PI * radius * radius) : 0.0;
 }
 
-vec3 cascade_color(int i) {
-    const vec3 COLORS[5] = vec3[](vec3(0.9, 0.25, 0.2), vec3(0.95, 0.75, 0.2), vec3(0.3, 0.75, 0.35), vec3(0.25, 0.45, 0.9), vec3(0.5));
-    return COLORS[i < frame.cascade_count ? i : 4];
+vec3 cascade_color(vec2 light) {
+    const vec3 COLORS[4] = vec3[](vec3(0.9, 0.25, 0.2), vec3(0.95, 0.75, 0.2), vec3(0.3, 0.75, 0.35), vec3(0.25, 0.45, 0.9));
+    CascadePlace place = choose_cascade(light, SURFACE_MARGIN, 0.0);
+    return place.last_inside < 0.0 ? vec3(0.5) : COLORS[int(place.layer)];
 }
 
 void main() {
@@ -106,7 +106,7 @@ void main() {
     }
     if (push.show == LIGHTING_SHOW_CASCADES && ground) {
         float grey = dot(radiance, vec3(0.3, 0.6, 0.1));
-        radiance = grey * 2.0 * cascade_color(cascade_of(frame, light_direction.xy * ray.distance, 0.01));
+        radiance = grey * 2.0 * cascade_color(light_direction.xy * ray.distance);
     }
     imageStore(lit_image, pixel, vec4(radiance, 1.0));
 }

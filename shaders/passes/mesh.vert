@@ -1,10 +1,9 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
-#include "interop/gbuffer.h"
+#include "frame/mesh_transform.glsl"
 
-// A mesh in the view or in a cascade. The camera is subtracted in the mesh's own frame and in two floats, so that a vertex
-// keeps its place to 1e-7 of its distance wherever the mesh's origin is.
+// A mesh in the view or in a cascade.
 layout(set = 0, binding = GBUFFER_FRAME_SLOT, scalar) uniform Constants { FrameConstants frame; };
 layout(push_constant, scalar) uniform Push { MeshDraw draw; };
 
@@ -21,7 +20,7 @@ layout(location = 3) out vec4 out_uv;
 layout(location = 4) out vec4 out_color;
 
 void main() {
-    vec3 relative = draw.world_from_mesh * ((position - draw.camera_high) - draw.camera_low);
+    vec3 relative = relative_from_mesh(draw, position);
     gl_Position = frame.clip_from_relative[draw.projection] * vec4(relative, 1.0);
     // Normals of a mesh that is scaled or mirrored: the cofactor matrix.
     mat3 m = draw.world_from_mesh;

@@ -11,8 +11,8 @@ layout(set = 0, binding = MULTIPLE_SCATTERING_TABLE_SLOT, rgba32f) uniform write
 
 void main() {
     ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
-    vec2 uv = (vec2(texel) + vec2(0.5f)) / float(MULTIPLE_SCATTERING_SIZE);
-    vec2 node = altitude_sun_from_uv(frame.atmosphere, uv, MULTIPLE_SCATTERING_SIZE, MULTIPLE_SCATTERING_SIZE);
+    vec2 uv = (vec2(texel) + vec2(0.5f)) / vec2(MULTIPLE_SCATTERING_WIDTH, MULTIPLE_SCATTERING_HEIGHT);
+    vec2 node = altitude_sun_from_uv(frame.atmosphere, uv, MULTIPLE_SCATTERING_WIDTH, MULTIPLE_SCATTERING_HEIGHT);
     vec3 psi = compute_multiple_scattering(frame.atmosphere, transmittance_table, node.x, node.y);
     imageStore(table, texel, multiple_scattering_texel(psi));
 }

@@ -56,7 +56,8 @@ INLINE vec3 reflect_ambient(Surface surface, float n_v) {
     vec4 c0 = vec4(-1.0f, -0.0275f, -0.572f, 0.022f), c1 = vec4(1.0f, 0.0425f, 1.04f, -0.04f);
     vec4 r = roughness * c0 + c1;
     float a004 = min(r.x * r.x, exp2(-9.28f * n_v)) * r.x + r.y;
-    vec3 gloss = surface.specular * (-1.04f * a004 + r.z) + vec3(1.04f * a004 + r.w);
+    // The fit dips below zero where a rough surface reflects nothing.
+    vec3 gloss = max(surface.specular * (-1.04f * a004 + r.z) + vec3(1.04f * a004 + r.w), vec3(0.0f));
     return (surface.diffuse * (vec3(1.0f) - gloss) + gloss) * (1.0f / PI);
 }
 

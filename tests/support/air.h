@@ -78,9 +78,9 @@ inline Table make_transmittance_table(shader::Atmosphere const& air) {
 }
 
 inline Table make_multiple_scattering_table(shader::Atmosphere const& air, Table const& transmittance) {
-    int const size = MULTIPLE_SCATTERING_SIZE;
-    return {size, size, [&](glm::vec2 uv) {
-                glm::vec2 const node = shader::altitude_sun_from_uv(air, uv, size, size);
+    return {MULTIPLE_SCATTERING_WIDTH, MULTIPLE_SCATTERING_HEIGHT, [&](glm::vec2 uv) {
+                glm::vec2 const node =
+                    shader::altitude_sun_from_uv(air, uv, MULTIPLE_SCATTERING_WIDTH, MULTIPLE_SCATTERING_HEIGHT);
                 return shader::multiple_scattering_texel(
                     shader::compute_multiple_scattering(air, transmittance.sampler(), node.x, node.y));
             }};

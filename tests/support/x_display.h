@@ -2,7 +2,7 @@
 
 #include "core/files.h"
 #include "image/image.h"
-#include "support/process.h"
+#include "support/background_process.h"
 
 #include <memory>
 
@@ -14,9 +14,9 @@ public:
     explicit XDisplay(std::filesystem::path const& folder) : folder_(folder) {
         std::array<int, 2> ends{};
         if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
-        server_ = std::make_unique<Process>(
+        server_ = std::make_unique<BackgroundProcess>(
             std::vector<std::string>{"Xvfb", "-displayfd", std::to_string(ends[1]), "-screen", "0", "800x600x24", "-fbdir", folder.string(), "-nocursor", "-nolisten", "tcp"},
-            Process::Setup{.output = folder / "xvfb.log", .keep_open = ends[1]});
+            BackgroundProcess::Setup{.output = folder / "xvfb.log", .keep_open = ends[1]});
         ::close(ends[1]);
         std::string number;
         for (char digit = 0; ::read(ends[0], &digit, 1) == 1 && digit != '\n';) number += digit;
@@ -51,7 +51,7 @@ public:
 
 private:
     std::filesystem::path folder_;
-    std::unique_ptr<Process> server_;
+    std::unique_ptr<BackgroundProcess> server_;
     std::string name_;
 };
 

@@ -153,13 +153,14 @@ TEST(MultipleScattering, directions_are_uniform) {
     }
 }
 
-TEST(MultipleScattering, every_node_is_positive_and_finite) {
+// Deep in the night it may be nothing at all.
+TEST(MultipleScattering, every_node_is_finite_and_not_negative) {
     for (Atmosphere const& air : {AIR, test::hazy_air(), test::dense_air()}) {
         test::Table const transmittance = test::make_transmittance_table(air);
         test::Table const table = test::make_multiple_scattering_table(air, transmittance);
         for (vec4 const& texel : table.texels()) {
-            ASSERT_TRUE(finite_and_positive(exp(vec3(texel))));
-            ASSERT_TRUE(all(lessThan(vec3(texel), vec3(std::log(1 / PI))))); // a white world under a full sun
+            ASSERT_TRUE(finite_and_positive(power32(vec3(texel)) + vec3(TINY)));
+            ASSERT_TRUE(all(lessThan(vec3(texel), vec3(std::pow(1 / PI, 1.0f / 32))))); // a white world under a full sun
         }
     }
 }

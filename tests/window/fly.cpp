@@ -4,6 +4,7 @@
 #include "scene/view.h"
 #include "support/files.h"
 #include "support/gltf_hills.h"
+#include "support/process.h"
 #include "support/x_display.h"
 
 #include <cmath>
@@ -45,8 +46,8 @@ protected:
         folder_.write("hills.gltf", hills_gltf());
         folder_.write("flight.json", FLIGHT);
         std::vector<std::string> arguments = {ALPENGLOW_PROGRAM, "fly", "--flight", "flight.json", "--size", "320x180", "--set", "cascade_size=512", "samples=8", "--validate"};
-        Process::Setup const setup{.folder = folder_.path(), .output = folder_.path() / "log", .environment = {{"DISPLAY", display_.name()}, {"WAYLAND_DISPLAY", ""}}};
-        program_ = std::make_unique<Process>(arguments, setup);
+        BackgroundProcess::Setup const setup{.folder = folder_.path(), .output = folder_.path() / "log", .environment = {{"DISPLAY", display_.name()}, {"WAYLAND_DISPLAY", ""}}};
+        program_ = std::make_unique<BackgroundProcess>(arguments, setup);
         ASSERT_TRUE(wait_until([&] { return brightness(screen()) > 10; }, PATIENCE)) << log();
         xdotool({"mousemove", "300", "170"}); // keys go to the window under the mouse
     }
@@ -56,7 +57,7 @@ protected:
 
     void xdotool(std::vector<std::string> arguments) {
         arguments.insert(arguments.begin(), "xdotool");
-        Process tool(arguments, {.environment = {{"DISPLAY", display_.name()}}});
+        BackgroundProcess tool(arguments, {.environment = {{"DISPLAY", display_.name()}}});
         ASSERT_TRUE(wait_until([&] { return tool.exit_code().has_value(); }, PATIENCE));
         ASSERT_EQ(tool.exit_code(), 0) << arguments[1];
     }
@@ -91,7 +92,7 @@ protected:
 
     TemporaryFolder folder_;
     XDisplay display_{folder_.path()};
-    std::unique_ptr<Process> program_;
+    std::unique_ptr<BackgroundProcess> program_;
 };
 
 } // namespace
@@ -138,9 +139,8 @@ TEST_F(FlyWindow, a_saved_view_is_the_picture_that_was_seen) {
     EXPECT_LT(above_ground, 20);
     leave();
 
-    Process render({ALPENGLOW_PROGRAM, "render", "out/views/view_0001.json", "--size", "320x180", "--out", "again"}, {.folder = folder_.path()});
-    ASSERT_TRUE(wait_until([&] { return render.exit_code().has_value(); }, PATIENCE));
-    EXPECT_EQ(render.exit_code(), 0);
+    ProcessResult const render = run({.program = ALPENGLOW_PROGRAM, .arguments = {"render", "out/views/view_0001.json", "--size", "320x180", "--out", "again"}, .folder = folder_.path()});
+    EXPECT_EQ(render.exit_code, 0) << render.errors;
     EXPECT_EQ(read_picture(folder_.path() / "again/view_0001.png").rgba, seen.rgba);
 }
 
@@ -171,11 +171,11 @@ TEST(FlyWithoutWindow, says_so_and_flies_to_pictures) {
     TemporaryFolder const folder;
     folder.write("hills.gltf", hills_gltf());
     folder.write("flight.json", FLIGHT);
-    Process program({ALPENGLOW_PROGRAM, "fly", "--flight", "flight.json", "--size", "32x18", "--frames", "1", "--out", "flight", "--set", "cascade_size=256"},
-                    {.folder = folder.path(), .output = folder.path() / "log", .environment = {{"DISPLAY", ":4242"}, {"WAYLAND_DISPLAY", ""}}});
-    ASSERT_TRUE(wait_until([&] { return program.exit_code().has_value(); }, PATIENCE));
-    std::string const log = read_text_file(folder.path() / "log");
-    EXPECT_EQ(program.exit_code(), 0) << log;
-    EXPECT_NE(log.find("no window can be opened"), std::string::npos) << log;
+    ProcessResult const flight = run({.program = ALPENGLOW_PROGRAM,
+                                      .arguments = {"fly", "--flight", "flight.json", "--size", "32x18", "--frames", "1", "--out", "flight", "--set", "cascade_size=256"},
+                                      .environment = {{"DISPLAY", ":4242"}, {"WAYLAND_DISPLAY", ""}},
+                                      .folder = folder.path()});
+    EXPECT_EQ(flight.exit_code, 0) << flight.errors;
+    EXPECT_NE(flight.errors.find("no window can be opened"), std::string::npos) << flight.errors;
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "flight/frame_0000.png"));
 }
