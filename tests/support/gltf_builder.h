@@ -4,33 +4,19 @@
 #include "core/files.h"
 #include "scene/gltf.h"
 #include "scene/gltf_report.h"
+#include "support/files.h"
 
 #include <nlohmann/json.hpp>
 
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <filesystem>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <vector>
 
 namespace alpenglow::test {
-
-/// A folder of its own under the system's temporary one, removed at the end.
-class TemporaryFolder {
-public:
-    TemporaryFolder();
-    ~TemporaryFolder();
-    TemporaryFolder(TemporaryFolder const&) = delete;
-    TemporaryFolder& operator=(TemporaryFolder const&) = delete;
-    std::filesystem::path const& path() const { return path_; }
-
-private:
-    std::filesystem::path path_;
-};
 
 /// A small glTF in the making: one buffer, a view and an accessor for each array that is added.
 struct GltfBuilder {
@@ -73,18 +59,6 @@ std::string error_of(std::string const& text);
 std::string without_usual_advice(std::string line);
 
 std::string base64(std::span<std::byte const> bytes);
-
-
-inline TemporaryFolder::TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "alpenglow_XXXXXX").string();
-    if (!::mkdtemp(name.data())) throw std::runtime_error("no temporary folder");
-    path_ = name;
-}
-
-inline TemporaryFolder::~TemporaryFolder() {
-    std::error_code error;
-    std::filesystem::remove_all(path_, error);
-}
 
 inline std::size_t GltfBuilder::components(std::string const& type) {
     return type == "SCALAR" ? 1 : static_cast<std::size_t>(type.back() - '0');
