@@ -92,6 +92,15 @@ std::vector<std::byte> encode_png(ByteImage const& image) {
     return bytes;
 }
 
+std::vector<std::byte> encode_jpeg(ByteImage const& image, int quality) {
+    std::vector<std::byte> bytes;
+    if (!stbi_write_jpg_to_func(append, &bytes, static_cast<int>(image.extent.width), static_cast<int>(image.extent.height), 4,
+                                image.rgba.data(), quality)) {
+        throw Error(ErrorKind::bad_input, "picture can't be encoded");
+    }
+    return bytes;
+}
+
 void write_png(std::filesystem::path const& path, ByteImage const& image) { write_file(path, encode_png(image)); }
 
 PictureHeader read_picture_header(std::span<std::byte const> bytes) {

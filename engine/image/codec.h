@@ -11,6 +11,8 @@ namespace alpenglow {
 
 /// PNG, 8 bits RGBA (RGB where every alpha is 255), lossless.
 std::vector<std::byte> encode_png(ByteImage const& image);
+/// JPEG; alpha is dropped. `quality` 1 to 100; above 90 colours keep the full resolution.
+std::vector<std::byte> encode_jpeg(ByteImage const& image, int quality);
 void write_png(std::filesystem::path const& path, ByteImage const& image);
 
 /// What a PNG's or JPEG's header says, without decoding. Throws Error(bad_input) where it is neither.

@@ -15,6 +15,7 @@ public:
 
     explicit Fineness(std::vector<FinePlace> places) : places_(std::move(places)) {}
 
+    std::vector<FinePlace> const& places() const { return places_; }
     /// [m] within a square of half side `half` around a point, at its best.
     double spacing(double east, double north, double half = 0) const;
 

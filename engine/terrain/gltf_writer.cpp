@@ -38,8 +38,8 @@ int GltfWriter::add_view(std::span<std::byte const> bytes, int stride, int targe
     return static_cast<int>(json["bufferViews"].size()) - 1;
 }
 
-int GltfWriter::add_png(std::string const& name, std::vector<std::byte> png) {
-    pictures_.push_back({name, std::move(png)});
+int GltfWriter::add_picture(std::string const& name, std::string const& kind, std::vector<std::byte> bytes) {
+    pictures_.push_back({name, kind, std::move(bytes)});
     return static_cast<int>(pictures_.size()) - 1;
 }
 
@@ -57,8 +57,8 @@ void GltfWriter::write(std::filesystem::path const& file) {
 }
 
 void GltfWriter::write_glb(std::filesystem::path const& file) {
-    for (Png const& png : pictures_) {
-        json["images"].push_back({{"name", png.name}, {"mimeType", "image/png"}, {"bufferView", add_view(png.bytes)}});
+    for (Picture const& p : pictures_) {
+        json["images"].push_back({{"name", p.name}, {"mimeType", "image/" + p.kind}, {"bufferView", add_view(p.bytes)}});
     }
     align(binary_, 0);
     json["buffers"] = {{{"byteLength", binary_.size()}}};
@@ -89,10 +89,10 @@ void GltfWriter::write_gltf(std::filesystem::path const& file) {
         written.push_back(folder / name);
     };
     try {
-        for (Png const& png : pictures_) {
-            std::string const name = stem + "_" + png.name + ".png";
-            write(name, png.bytes);
-            json["images"].push_back({{"name", png.name}, {"uri", name}});
+        for (Picture const& picture : pictures_) {
+            std::string const name = stem + "_" + picture.name + "." + picture.kind;
+            write(name, picture.bytes);
+            json["images"].push_back({{"name", picture.name}, {"uri", name}});
         }
         write(stem + ".bin", binary_);
         json["buffers"] = {{{"byteLength", binary_.size()}, {"uri", stem + ".bin"}}};

@@ -16,8 +16,8 @@ public:
 
     /// A buffer view of these bytes, aligned to 4; `stride` and `target` where they are not 0. Returns its index.
     int add_view(std::span<std::byte const> bytes, int stride = 0, int target = 0);
-    /// An image. Returns its index.
-    int add_png(std::string const& name, std::vector<std::byte> png);
+    /// An image of `kind` "png" or "jpeg". Returns its index.
+    int add_picture(std::string const& name, std::string const& kind, std::vector<std::byte> bytes);
 
     /// Throws Error(wrong_use) where `file` ends neither with .glb nor with .gltf.
     static void require_known_ending(std::filesystem::path const& file);
@@ -26,8 +26,8 @@ public:
     void write(std::filesystem::path const& file);
 
 private:
-    struct Png {
-        std::string name;
+    struct Picture {
+        std::string name, kind;
         std::vector<std::byte> bytes;
     };
 
@@ -35,7 +35,7 @@ private:
     void write_gltf(std::filesystem::path const& file);
 
     std::vector<std::byte> binary_;
-    std::vector<Png> pictures_;
+    std::vector<Picture> pictures_;
 };
 
 } // namespace alpenglow

@@ -11,6 +11,7 @@ struct GroundPlace {
     double altitude = 0;        ///< [m]
     double slope = 0;           ///< tangent of the steepness
     double northward = 0;       ///< -1 faces south, 1 faces north; 0 where level
+    double gully = 0;           ///< -1 in a gully, 1 on a rib
 };
 
 /// Linear Rec.709 albedo: sand, forest, meadow, scree, rock and snow by altitude, slope and aspect.

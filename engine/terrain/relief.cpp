@@ -14,16 +14,19 @@ namespace {
 /// How much of a wave of length `wave` vertices `spacing` apart can show.
 double shown(double wave, double spacing) { return smooth_step(1.8 * spacing, 3.6 * spacing, wave); }
 
-/// [m] Ribs and gullies down the slope; each octave follows the slope that the ones before it made.
-double gullies(std::uint32_t seed, glm::dvec2 place, glm::dvec2 slope, double spacing) {
-    double sum = 0, wave = 420, aspect = 0.075;
+/// Ribs and gullies down the slope; each octave follows the slope that the ones before it made.
+ReliefSample gullies(std::uint32_t seed, glm::dvec2 place, glm::dvec2 slope, double spacing) {
+    ReliefSample sum;
+    double wave = 420, aspect = 0.075;
     for (std::uint32_t octave = 0; octave < 6; ++octave, wave *= 0.53, aspect *= 0.85) {
         double const share = shown(wave, spacing), steepness = glm::length(slope);
         if (share <= 0) break;
         double const height = share * aspect * wave * smooth_step(0.12, 0.75, steepness);
         if (height <= 0) break;
         Gully const gully = gully_noise(seed + octave, place / wave, -slope / steepness);
-        sum += height * gully.height;
+        sum.altitude += height * gully.height;
+        // The two broadest are what one sees from afar.
+        if (octave < 2) sum.gully += 0.5 * gully.height * smooth_step(0.12, 0.5, steepness);
         slope += height / wave * gully.slope;
     }
     return sum;
@@ -55,20 +58,26 @@ double hummocks(std::uint32_t seed, glm::dvec2 place, double spacing) {
 } // namespace
 
 double Relief::altitude(double east, double north) const {
+    return sample(east, north, fineness_.spacing(east, north)).altitude;
+}
+
+ReliefSample Relief::sample(double east, double north, double spacing) const {
     HeightSample const base = field_.sample(east, north);
     // Detail is weak at the water's edge, so that the shore stays one clear line.
     double const land = smooth_step(-10, 60, base.altitude);
-    double h = base.altitude;
+    double h = base.altitude, gully = 0;
     if (land > 0) {
         glm::dvec2 const place(east, north), slope(base.east, base.north);
-        double const spacing = fineness_.spacing(east, north), steepness = glm::length(slope);
-        h += land * gullies(seed_ + 201, place, slope, spacing);
+        double const steepness = glm::length(slope);
+        ReliefSample const ribs = gullies(seed_ + 201, place, slope, spacing);
+        h += land * ribs.altitude;
+        gully = land * ribs.gully;
         h += land * hummocks(seed_ + 221, place, spacing) * smooth_step(0.0, 0.25, steepness + 0.06);
         double const rock = smooth_step(0.45, 0.9, steepness) * smooth_step(700, 2200, base.altitude);
         if (rock > 0) h += land * rock * crags(seed_ + 241, place, spacing);
     }
     // A step at the water's edge: little ground lies so near sea level that sea and land would fight for the depth.
-    return h + 3 * std::tanh(h / 2);
+    return {h + 3 * std::tanh(h / 2), gully};
 }
 
 glm::dvec3 Relief::up(double east, double north) const {

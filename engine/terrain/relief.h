@@ -8,13 +8,20 @@
 
 namespace alpenglow {
 
-/// The ground as a function of the place: the eroded field, with gullies, crags and hummocks down to what the vertices
-/// show there.
+struct ReliefSample {
+    double altitude = 0; ///< [m]
+    double gully = 0;    ///< about -1 at the bottom of a gully to 1 on a rib; 0 where there is neither
+};
+
+/// The ground as a function of the place: the eroded field, with gullies, crags and hummocks down to what is asked for,
+/// or to what the vertices show there.
 class Relief {
 public:
     Relief(HeightField const& field, Fineness const& fineness, std::uint32_t seed, double planet_radius)
         : field_(field), fineness_(fineness), seed_(seed), radius_(planet_radius) {}
 
+    /// With all that samples `spacing` [m] apart can show.
+    ReliefSample sample(double east, double north, double spacing) const;
     double altitude(double east, double north) const; ///< [m]
     /// Scene frame [m]: the map point at horizontal distance d goes to arc length d on the sphere, altitude along its
     /// normal.

@@ -4,6 +4,7 @@
 #include "core/files.h"
 #include "core/progress.h"
 #include "terrain/erosion.h"
+#include "terrain/far_maps.h"
 #include "terrain/sites.h"
 #include "terrain/terrain_gltf.h"
 
@@ -15,7 +16,7 @@ namespace alpenglow {
 namespace {
 
 /// Goes up whenever the same options give another file, so that cached scenes are made anew.
-constexpr int GENERATOR_VERSION = 1;
+constexpr int GENERATOR_VERSION = 2;
 constexpr int DETAIL_SIZE = 1024; // [texels]
 
 void check(bool good, std::string const& what, std::string const& advice) {
@@ -26,6 +27,7 @@ void check_options(TerrainOptions const& o) {
     check(o.side_km >= 4 && o.side_km <= 400, fmt::format("side of {} km", o.side_km), "from 4 to 400");
     check(o.resolution >= 64 && o.resolution <= 4096, fmt::format("resolution of {}", o.resolution), "from 64 to 4096");
     check(o.erosion >= 0 && o.erosion <= 4, fmt::format("erosion of {}", o.erosion), "from 0 to 4");
+    check(o.map_size >= 64 && o.map_size <= 8192, fmt::format("maps of {} texels", o.map_size), "from 64 to 8192");
     check(o.planet_radius >= 1000 * o.side_km && o.planet_radius <= 1e9,
           fmt::format("planet radius of {} m", o.planet_radius), "from the terrain's side to 1e9 m");
     for (FinePlace const& place : o.fine) {
@@ -54,7 +56,7 @@ std::uint64_t hash_of(std::string const& text) {
 std::vector<TerrainSite> write_terrain(TerrainOptions const& options, std::filesystem::path const& file) {
     check_options(options);
     GltfWriter::require_known_ending(file);
-    constexpr int steps = 1000, eroded = 600, tiled = 950; // by the time that each takes
+    constexpr int steps = 1000, eroded = 300, tiled = 400, clad = 900; // by the time that each takes
     Progress progress("Terrain", steps);
     double const side = 1000 * options.side_km;
     HeightField const field =
@@ -69,10 +71,16 @@ std::vector<TerrainSite> write_terrain(TerrainOptions const& options, std::files
         if (site.name == "ridge") move_to_highest(ground, 250, 8, site.east, site.north);
         site.altitude = ground(site.east, site.north);
     }
-    std::vector<Tile> const tiles = make_tiles(relief, options.seed, options.threads, [&](int done, int all) {
+    std::vector<Tile> tiles = make_tiles(relief, options.seed, options.threads, [&](int done, int all) {
         progress.update(eroded + (tiled - eroded) * done / all, "tiles");
     });
-    terrain_gltf(tiles, make_detail_pictures(options.seed, DETAIL_SIZE, options.threads), sites).write(file);
+    std::vector<FarMap> maps = plan_far_maps(relief, options.map_size);
+    clad_far_tiles(tiles, maps, relief, options.seed, options.threads, [&](int done, int all) {
+        progress.update(tiled + (clad - tiled) * done / all, "far maps");
+    });
+    terrain_gltf(tiles, maps, make_detail_pictures(options.seed, DETAIL_SIZE, options.threads), sites,
+                 options.threads)
+        .write(file);
     progress.update(steps);
     return sites;
 }
@@ -80,8 +88,9 @@ std::vector<TerrainSite> write_terrain(TerrainOptions const& options, std::files
 std::filesystem::path default_terrain(double planet_radius) {
     TerrainOptions options;
     options.planet_radius = planet_radius;
-    std::string const key = fmt::format("{} {} {} {} {} {}", GENERATOR_VERSION, options.seed, options.side_km,
-                                        options.planet_radius, options.resolution, options.erosion);
+    std::string const key = fmt::format("{} {} {} {} {} {} {}", GENERATOR_VERSION, options.seed, options.side_km,
+                                        options.planet_radius, options.resolution, options.erosion,
+                                        options.map_size);
     std::filesystem::path const file = cache_folder() / fmt::format("terrain-{:016x}.glb", hash_of(key));
     if (std::filesystem::is_regular_file(file)) return file;
     require_writable_folder(file.parent_path(), "set ALPENGLOW_CACHE to a folder for the generated scene");

@@ -19,6 +19,7 @@ struct TerrainOptions {
     double planet_radius = 6'360'000; ///< [m] vertices follow this curvature
     int resolution = 1024;            ///< cells along a side of the eroded height field, 64 to 4096
     double erosion = 1;               ///< strength: 0 none, 1 alpine; at most 4
+    int map_size = 2048;              ///< [texels] along the pictures that clad what is far, 64 to 8192
     std::vector<FinePlace> fine;      ///< empty: the places where the default views stand
     int threads = 0;                  ///< 0: one for each core; the result is the same for any number
 };

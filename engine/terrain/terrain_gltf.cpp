@@ -1,6 +1,7 @@
 #include "terrain/terrain_gltf.h"
 
 #include "image/codec.h"
+#include "terrain/parallel.h"
 
 #include <array>
 #include <cstddef>
@@ -13,7 +14,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // Numbers of the glTF 2.0 specification.
-constexpr int UNSIGNED_SHORT = 5123, FLOAT = 5126, ARRAY_BUFFER = 34962, ELEMENT_ARRAY_BUFFER = 34963, REPEAT = 10497,
+constexpr int UNSIGNED_SHORT = 5123, FLOAT = 5126, ARRAY_BUFFER = 34962, ELEMENT_ARRAY_BUFFER = 34963, REPEAT = 10497, CLAMP_TO_EDGE = 33071,
               LINEAR = 9729, LINEAR_MIPMAP_LINEAR = 9987;
 
 int add_accessor(GltfWriter& gltf, Json accessor) {
@@ -61,23 +62,47 @@ Json add_attributes(GltfWriter& gltf, Tile const& tile) {
             {"COLOR_0", add_accessor(gltf, std::move(color))}};
 }
 
-void add_material(GltfWriter& gltf, DetailPictures const& pictures) {
-    int const color = gltf.add_png("grain_color", encode_png(pictures.color));
-    int const normal = gltf.add_png("grain_normal", encode_png(pictures.normal));
-    gltf.json["samplers"] = {
-        {{"magFilter", LINEAR}, {"minFilter", LINEAR_MIPMAP_LINEAR}, {"wrapS", REPEAT}, {"wrapT", REPEAT}}};
-    gltf.json["textures"] = {{{"sampler", 0}, {"source", color}}, {{"sampler", 0}, {"source", normal}}};
-    gltf.json["materials"] = {
-        {{"name", "ground"},
+int add_texture(GltfWriter& gltf, int sampler, int source) {
+    gltf.json["textures"].push_back({{"sampler", sampler}, {"source", source}});
+    return static_cast<int>(gltf.json["textures"].size()) - 1;
+}
+
+void add_material(GltfWriter& gltf, std::string const& name, int color, int normal) {
+    gltf.json["materials"].push_back(
+        {{"name", name},
          {"pbrMetallicRoughness",
-          {{"baseColorTexture", {{"index", 0}}}, {"metallicFactor", 0}, {"roughnessFactor", 0.9}}},
-         {"normalTexture", {{"index", 1}}}}};
+          {{"baseColorTexture", {{"index", color}}}, {"metallicFactor", 0}, {"roughnessFactor", 0.9}}},
+         {"normalTexture", {{"index", normal}}}});
+}
+
+/// Material 0 is the near ground's, 1 + k that of far map k.
+void add_materials(GltfWriter& gltf, std::vector<FarMap> const& maps, DetailPictures const& pictures, int threads) {
+    auto const sampler = [](int wrap) {
+        return Json{{"magFilter", LINEAR}, {"minFilter", LINEAR_MIPMAP_LINEAR}, {"wrapS", wrap}, {"wrapT", wrap}};
+    };
+    gltf.json["samplers"] = {sampler(REPEAT), sampler(CLAMP_TO_EDGE)};
+    int const color = gltf.add_picture("grain_color", "png", encode_png(pictures.color));
+    int const normal = gltf.add_picture("grain_normal", "png", encode_png(pictures.normal));
+    add_material(gltf, "ground", add_texture(gltf, 0, color), add_texture(gltf, 0, normal));
+
+    constexpr int quality = 93;
+    std::vector<std::array<std::vector<std::byte>, 2>> encoded(maps.size());
+    parallel_for(static_cast<int>(2 * maps.size()), threads, [&](int k) {
+        FarMap const& map = maps[std::size_t(k) / 2];
+        encoded[std::size_t(k) / 2][std::size_t(k) % 2] =
+            k % 2 ? encode_png(map.normal) : encode_jpeg(map.color, quality);
+    });
+    for (std::size_t k = 0; k < maps.size(); ++k) {
+        int const far_color = gltf.add_picture(fmt::format("far_color_{}", k), "jpeg", std::move(encoded[k][0]));
+        int const far_normal = gltf.add_picture(fmt::format("far_normal_{}", k), "png", std::move(encoded[k][1]));
+        add_material(gltf, fmt::format("far_{}", k), add_texture(gltf, 1, far_color), add_texture(gltf, 1, far_normal));
+    }
 }
 
 } // namespace
 
-GltfWriter terrain_gltf(std::vector<Tile> const& tiles, DetailPictures const& pictures,
-                        std::vector<TerrainSite> const& sites) {
+GltfWriter terrain_gltf(std::vector<Tile> const& tiles, std::vector<FarMap> const& maps,
+                        DetailPictures const& pictures, std::vector<TerrainSite> const& sites, int threads) {
     GltfWriter gltf;
     Json children = Json::array(), places = Json::array();
     for (std::size_t k = 0; k < tiles.size(); ++k) children.push_back(k);
@@ -97,9 +122,11 @@ GltfWriter terrain_gltf(std::vector<Tile> const& tiles, DetailPictures const& pi
         gltf.json["meshes"].push_back(
             {{"name", name},
              {"primitives",
-              {{{"attributes", add_attributes(gltf, tile)}, {"indices", indices[tile.coarser]}, {"material", 0}}}}});
+              {{{"attributes", add_attributes(gltf, tile)},
+                {"indices", indices[tile.coarser]},
+                {"material", 1 + tile.map}}}}});
     }
-    add_material(gltf, pictures);
+    add_materials(gltf, maps, pictures, threads);
     return gltf;
 }
 

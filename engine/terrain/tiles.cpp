@@ -41,11 +41,11 @@ glm::dvec3 snapped(glm::dvec3 const& p) { return glm::round(p * 1024.0) / 1024.0
 
 TileVertex make_vertex(Relief const& relief, std::uint32_t seed, Tile const& tile, glm::dvec2 const& uv_origin,
                        double east, double north) {
-    double const altitude = relief.altitude(east, north);
+    auto const [altitude, gully] = relief.sample(east, north, relief.fineness().spacing(east, north));
     glm::dvec3 const normal = relief.normal(east, north), up = relief.up(east, north);
     double const level = std::max(glm::dot(normal, up), 0.02),
                  slope = std::sqrt(std::max(0.0, 1 - level * level)) / level;
-    glm::dvec3 const albedo = ground_albedo(seed, {east, north, altitude, slope, -normal.z}) / DETAIL_MEAN;
+    glm::dvec3 const albedo = ground_albedo(seed, {east, north, altitude, slope, -normal.z, gully}) / DETAIL_MEAN;
     return {glm::vec3(snapped(relief.position(east, north, altitude)) - tile.origin),
             glm::vec3(normal),
             glm::vec2(glm::dvec2(east, -north) / DETAIL_PERIOD - uv_origin),

@@ -15,7 +15,7 @@ namespace alpenglow {
 struct TileVertex {
     glm::vec3 position; ///< [m] from the tile's origin
     glm::vec3 normal;
-    glm::vec2 uv;                       ///< in periods of the detail pictures
+    glm::vec2 uv;                       ///< in periods of the detail pictures, or on the tile's far map
     std::array<std::uint16_t, 4> color; ///< linear, 65535 is 1
 };
 static_assert(sizeof(TileVertex) == 40);
@@ -23,10 +23,11 @@ static_assert(sizeof(TileVertex) == 40);
 /// A square of 16 x 16 cells. Its vertices, (17 y + x), all lie on a lattice of 1/1024 m in the scene frame, and its
 /// origin on one of 1 m, so that origin + position is exact and two tiles that share a vertex agree on it to the bit.
 struct Tile {
-    static constexpr int CELLS = 16, NODES = CELLS + 1;
+    static constexpr int CELLS = 16, NODES = CELLS + 1, NO_MAP = -1;
 
     TileKey key;
     unsigned coarser = 0; ///< TileSide bits: which triangles it has (tile_indices)
+    int map = NO_MAP;     ///< the far map that clads it; none: the detail pictures
     glm::dvec3 origin{0}; ///< [m] scene frame
     std::vector<TileVertex> vertices;
 };

@@ -28,6 +28,7 @@ TerrainOptions small_options(int threads) {
     TerrainOptions options;
     options.side_km = SIDE / 1000;
     options.resolution = 128;
+    options.map_size = 256;
     options.fine = {{500, -800, 150}};
     options.threads = threads;
     return options;
@@ -213,7 +214,7 @@ TEST(Terrain, a_gltf_has_its_buffer_and_pictures_beside_it) {
     std::array<std::byte, 5> const bytes{};
     writer.add_view(bytes);
     EXPECT_EQ(writer.add_view(bytes), 1);
-    writer.add_png("grain", std::vector<std::byte>(7));
+    writer.add_picture("grain", "png", std::vector<std::byte>(7));
     writer.write(folder.path / "small.gltf");
     auto const json = nlohmann::json::parse(read_text_file(folder.path / "small.gltf"));
     EXPECT_EQ(json["bufferViews"][1]["byteOffset"], 8); // aligned to 4
