@@ -22,14 +22,16 @@ struct Grain {
     double at(int x, int y) const { return values[std::size_t((y + size) % size) * size + (x + size) % size]; }
 };
 
-/// Octaves of equal slope, so that no size of grain stands out, from 1/6 of the period down to three texels.
+/// Octaves from 1/6 of the period down to three texels. The broadest are weak: they would show that the picture repeats.
 Grain make_grain(std::uint32_t seed, int size, int threads) {
     Grain grain{size, std::vector<double>(std::size_t(size) * size)};
     parallel_for(size, threads, [&](int y) {
         for (int x = 0; x < size; ++x) {
-            double sum = 0, amplitude = 1;
+            double sum = 0;
             std::uint32_t octave = 0;
-            for (int waves = 6; 3 * waves <= size; waves *= 2, amplitude *= 0.6, ++octave) {
+            for (int waves = 6; 3 * waves <= size; waves *= 2, ++octave) {
+                constexpr double broad_part = 0.35, decay = 0.72;
+                double const amplitude = std::pow(decay, octave) * (octave == 0 ? broad_part : 1);
                 double const scale = double(waves) / size;
                 double const wave = gradient_noise(seed + octave, x * scale, y * scale, waves);
                 sum += amplitude * (octave % 2 ? 0.5 - std::abs(wave) : wave); // blades and stones
@@ -47,6 +49,14 @@ void normalize(Grain& grain) {
     double const count = static_cast<double>(grain.values.size()), mean = sum / count;
     double const deviation = std::sqrt(squares / count - mean * mean);
     for (double& v : grain.values) v = (v - mean) / deviation;
+}
+
+/// What lies low between blades and stones lies in shade: at most 1 / DETAIL_MEAN - 1 = 0.25 above the mean, and
+/// farther below it. `grain` of mean 0 and deviation 1; the mean of the result over a normal distribution is 0.
+double shade_of(double grain) {
+    constexpr double mean = 1.3272; // of the depth
+    double const depth = std::clamp(1.3 - grain, 0.0, 3.0);
+    return 0.25 * (1 - depth / mean);
 }
 
 double srgb_from_linear(double x) { return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055; }
@@ -67,13 +77,12 @@ DetailPictures make_detail_pictures(std::uint32_t seed, int size, int threads) {
     Extent const extent{static_cast<std::uint32_t>(size), static_cast<std::uint32_t>(size)};
     DetailPictures pictures{ByteImage(extent), ByteImage(extent)};
     double const texel = DETAIL_PERIOD / size;
-    constexpr double relief = 0.006; // [m] standard deviation of the grain's height
+    constexpr double relief = 0.02; // [m] standard deviation of the grain's height
     parallel_for(size, threads, [&](int row) {
         for (int x = 0; x < size; ++x) {
             auto const column = static_cast<std::uint32_t>(x), line = static_cast<std::uint32_t>(row);
-            // Low grain lies in shade. Clamped at 2.5 deviations on both sides, which keeps the mean.
-            double const shade = 0.08 * std::clamp(0.7 * height.at(x, row) + 0.7 * tint(x, row), -2.5, 2.5);
-            double const hue = 0.012 * std::clamp(tint(x + size / 2, row), -2.0, 2.0);
+            double const shade = shade_of(0.8 * height.at(x, row) + 0.6 * tint(x, row));
+            double const hue = 0.05 * std::clamp(tint(x + size / 2, row), -2.0, 2.0) * (0.25 - shade);
             double const level = DETAIL_MEAN * (1 + shade);
             put(pictures.color.at(column, line), srgb_from_linear(level * (1 + hue)), srgb_from_linear(level),
                 srgb_from_linear(level * (1 - hue)));

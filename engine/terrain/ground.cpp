@@ -12,8 +12,8 @@ namespace {
 
 // Broadband albedos of Oke 1987 (table 1.1) within their ranges; hues tuned by eye.
 constexpr glm::dvec3 SAND{0.30, 0.25, 0.18}, FOREST{0.024, 0.042, 0.018}, MEADOW{0.070, 0.105, 0.036},
-    HAY{0.115, 0.125, 0.050}, HEATH{0.105, 0.098, 0.052}, SCREE{0.26, 0.25, 0.232}, PALE_ROCK{0.235, 0.215, 0.190},
-    DARK_ROCK{0.125, 0.115, 0.104}, SNOW{0.78, 0.80, 0.83};
+    HAY{0.115, 0.125, 0.050}, HEATH{0.105, 0.098, 0.052}, SCREE{0.26, 0.25, 0.232}, PALE_ROCK{0.240, 0.226, 0.207},
+    DARK_ROCK{0.128, 0.122, 0.114}, SNOW{0.78, 0.80, 0.83};
 
 /// Noises that all kinds of ground share, about -1 to 1.
 struct Chance {
@@ -72,6 +72,7 @@ double forest(GroundPlace const& p, Chance const& c) {
 } // namespace
 
 glm::dvec3 ground_albedo(std::uint32_t seed, GroundPlace const& p) {
+    if (p.altitude < -2) return SAND;
     Chance const c = chance_at(seed, p);
     glm::dvec3 color = grass(seed, p, c);
     color = glm::mix(color, FOREST * (1 + 0.9 * c.fine + 0.3 * c.ragged), forest(p, c));
@@ -81,8 +82,8 @@ glm::dvec3 ground_albedo(std::uint32_t seed, GroundPlace const& p) {
                          1.1 * smooth_step(0.35, 0.7, p.slope) + 0.5 * c.patches + 0.5 * c.ragged - 1.0;
     color = glm::mix(color, SCREE * (1 + 0.25 * c.fine + 0.15 * c.ragged),
                      smooth_step(-0.08, 0.12, stony) * smooth_step(900, 1500, p.altitude + 300 * c.patches));
-    double const steep = p.slope + 0.22 * c.patches + 0.22 * c.ragged + 0.00012 * (p.altitude - 1800) + 0.08 * p.gully;
-    color = glm::mix(color, rock(seed, p, c), smooth_step(0.78, 0.9, steep));
+    double const steep = p.slope + 0.22 * c.patches + 0.22 * c.ragged + 0.0002 * (p.altitude - 2000) + 0.08 * p.gully;
+    if (double const bare = smooth_step(0.78, 0.9, steep); bare > 0) color = glm::mix(color, rock(seed, p, c), bare);
     color = glm::mix(color, SAND * (1 + 0.2 * c.fine), smooth_step(14, 7, p.altitude + 4 * c.patches));
 
     // Snow lies lower on shaded faces and in gullies, slides off steep ones, and wind takes it in patches.

@@ -10,23 +10,26 @@ namespace {
 
 double fade(double t) { return t * t * t * (t * (t * 6 - 15) + 10); }
 
+/// Without a call into the library, which this is called too often for.
+int floor_of(double x) {
+    int const i = static_cast<int>(x);
+    return i - (x < i);
+}
+
 int wrap(int i, int period) { return period > 0 ? ((i % period) + period) % period : i; }
 
 /// Unit vectors: a table is an order of magnitude faster than a sine and a cosine for each corner.
-std::array<std::array<double, 2>, 64> const& directions() {
-    static auto const table = [] {
-        std::array<std::array<double, 2>, 64> t{};
-        for (std::size_t i = 0; i < t.size(); ++i) {
-            double const angle = 2 * 3.14159265358979324 * static_cast<double>(i) / static_cast<double>(t.size());
-            t[i] = {std::cos(angle), std::sin(angle)};
-        }
-        return t;
-    }();
-    return table;
-}
+std::array<std::array<double, 2>, 64> const DIRECTIONS = [] {
+    std::array<std::array<double, 2>, 64> t{};
+    for (std::size_t i = 0; i < t.size(); ++i) {
+        double const angle = 2 * 3.14159265358979324 * static_cast<double>(i) / static_cast<double>(t.size());
+        t[i] = {std::cos(angle), std::sin(angle)};
+    }
+    return t;
+}();
 
 double corner(std::uint32_t seed, int x, int y, double dx, double dy) {
-    auto const& d = directions()[lattice_hash(seed, x, y) >> 26];
+    auto const& d = DIRECTIONS[lattice_hash(seed, x, y) >> 26];
     return d[0] * dx + d[1] * dy;
 }
 
@@ -47,13 +50,14 @@ double lattice_unit(std::uint32_t seed, std::int32_t x, std::int32_t y) {
 }
 
 double gradient_noise(std::uint32_t seed, double x, double y, int period) {
-    double const fx = std::floor(x), fy = std::floor(y);
-    int const x0 = wrap(static_cast<int>(fx), period), y0 = wrap(static_cast<int>(fy), period);
+    int const fx = floor_of(x), fy = floor_of(y);
+    int const x0 = wrap(fx, period), y0 = wrap(fy, period);
     int const x1 = wrap(x0 + 1, period), y1 = wrap(y0 + 1, period);
     double const dx = x - fx, dy = y - fy, u = fade(dx), v = fade(dy);
-    double const low = std::lerp(corner(seed, x0, y0, dx, dy), corner(seed, x1, y0, dx - 1, dy), u);
-    double const high = std::lerp(corner(seed, x0, y1, dx, dy - 1), corner(seed, x1, y1, dx - 1, dy - 1), u);
-    return 1.5 * std::lerp(low, high, v);
+    double const sw = corner(seed, x0, y0, dx, dy), se = corner(seed, x1, y0, dx - 1, dy);
+    double const nw = corner(seed, x0, y1, dx, dy - 1), ne = corner(seed, x1, y1, dx - 1, dy - 1);
+    double const low = sw + u * (se - sw), high = nw + u * (ne - nw); // std::lerp costs as much as the corners
+    return 1.5 * (low + v * (high - low));
 }
 
 double fractal_noise(std::uint32_t seed, double x, double y, int octaves) {

@@ -1,6 +1,7 @@
 #include "terrain/tiles.h"
 
 #include "terrain/ground.h"
+#include "terrain/noise.h"
 #include "terrain/parallel.h"
 
 #include <algorithm>
@@ -39,6 +40,13 @@ std::uint16_t unorm16(double x) { return static_cast<std::uint16_t>(std::lround(
 /// Scene coordinates on the lattice that all tiles share.
 glm::dvec3 snapped(glm::dvec3 const& p) { return glm::round(p * 1024.0) / 1024.0; }
 
+/// [m] The detail pictures are stretched here and squeezed there, so that no rows of them show.
+glm::dvec2 detail_shift(std::uint32_t seed, double east, double north) {
+    constexpr double wave = 45, reach = 5;
+    return reach * glm::dvec2(gradient_noise(seed + 361, east / wave, north / wave),
+                              gradient_noise(seed + 362, east / wave, north / wave));
+}
+
 TileVertex make_vertex(Relief const& relief, std::uint32_t seed, Tile const& tile, glm::dvec2 const& uv_origin,
                        double east, double north) {
     auto const [altitude, gully] = relief.sample(east, north, relief.fineness().spacing(east, north));
@@ -48,7 +56,7 @@ TileVertex make_vertex(Relief const& relief, std::uint32_t seed, Tile const& til
     glm::dvec3 const albedo = ground_albedo(seed, {east, north, altitude, slope, -normal.z, gully}) / DETAIL_MEAN;
     return {glm::vec3(snapped(relief.position(east, north, altitude)) - tile.origin),
             glm::vec3(normal),
-            glm::vec2(glm::dvec2(east, -north) / DETAIL_PERIOD - uv_origin),
+            glm::vec2((glm::dvec2(east, -north) + detail_shift(seed, east, north)) / DETAIL_PERIOD - uv_origin),
             {unorm16(albedo.r), unorm16(albedo.g), unorm16(albedo.b), 65535}};
 }
 

@@ -33,7 +33,7 @@ struct Tile {
 };
 
 /// Metres on the ground for one period of the detail pictures.
-inline constexpr double DETAIL_PERIOD = 6;
+inline constexpr double DETAIL_PERIOD = 11;
 /// Mean linear value of the detail picture, by which the vertices' colours are divided.
 inline constexpr double DETAIL_MEAN = 0.8;
 
