@@ -53,7 +53,7 @@ ViewTimes measure(Stage& stage, View const& view, BenchOptions const& options, P
     for (int i = 0; i < WARM_UP + options.frames; ++i) {
         progress.update(done++, view.name);
         auto const start = std::chrono::steady_clock::now();
-        stage.renderer().draw(world, view.settings, options.size);
+        stage.draw(view, world, options.size);
         stage.renderer().wait();
         double const elapsed = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
         if (i < WARM_UP) continue;

@@ -48,9 +48,9 @@ void add_path(CLI::App& app, std::string const& name, std::string const& value, 
 
 void add_views(CLI::App& app, std::vector<std::filesystem::path>& views) {
     app.add_option_function<std::vector<std::string>>(
-           "views", [&](std::vector<std::string> const& given) { views.assign(given.begin(), given.end()); }, "view files, JSON")
+           "VIEW.json", [&](std::vector<std::string> const& given) { views.assign(given.begin(), given.end()); }, "view files, JSON")
         ->required()
-        ->type_name("VIEW.json");
+        ->type_name("FILE");
 }
 
 void add_placement(CLI::App& app, PlacementOptions& placement) {
@@ -205,16 +205,6 @@ void require_gltf_name(std::filesystem::path const& file) {
 }
 
 } // namespace
-
-void PlacementOptions::apply_to(std::optional<Placement>& placement) const {
-    if (!at && !yaw && !scale && !curve) return;
-    Placement result = placement.value_or(Placement{});
-    result.anchor = at.value_or(result.anchor);
-    result.yaw = yaw.value_or(result.yaw);
-    result.scale = scale.value_or(result.scale);
-    result.curve = result.curve || curve;
-    placement = result;
-}
 
 Command parse_command_line(std::span<std::string const> arguments) {
     Command const command = Parser().parse(with_repeated_set(arguments));

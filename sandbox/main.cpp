@@ -1,7 +1,9 @@
 #include "core/error.h"
 #include "sandbox/command_line.h"
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <new>
 #include <string>
@@ -16,7 +18,7 @@ template <class... Ts> struct Overloaded : Ts... {
 };
 
 int run(Command const& command) {
-    return std::visit(Overloaded{[](TextToPrint const& o) { return std::fputs(o.text.c_str(), stdout) < 0 ? 1 : 0; },
+    return std::visit(Overloaded{[](TextToPrint const& o) { std::fputs(o.text.c_str(), stdout); return 0; },
                                  [](FlyOptions const& o) { return fly(o); }, [](RenderOptions const& o) { return render(o); },
                                  [](TerrainCommandOptions const& o) { return terrain(o); },
                                  [](BenchOptions const& o) { return bench(o); }, [](DevicesOptions const& o) { return devices(o); }},
@@ -35,6 +37,12 @@ void check_overrides(Command const& command) {
         command);
 }
 
+/// What was printed may still wait in a buffer.
+void require_printed() {
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return;
+    throw Error(ErrorKind::bad_input, std::string("can't be written: ") + std::strerror(errno), "standard output", "free some space, or write elsewhere");
+}
+
 int report(char const* line, int exit_code) {
     std::fprintf(stderr, "alpenglow: %s\n", line);
     return exit_code;
@@ -46,7 +54,9 @@ int main(int argc, char** argv) {
     try {
         Command const command = parse_command_line(std::vector<std::string>(argv + 1, argv + argc));
         check_overrides(command);
-        return run(command);
+        int const exit_code = run(command);
+        require_printed();
+        return exit_code;
     } catch (Error const& error) {
         return report(error.what(), error.exit_code());
     } catch (std::bad_alloc const&) {

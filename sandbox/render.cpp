@@ -21,7 +21,7 @@ int render(RenderOptions const& options) {
         progress.update(i, views[i].name);
         View const view = stage.dressed(views[i]);
         World const world = stage.prepare(view);
-        stage.renderer().draw(world, view.settings, options.size);
+        stage.draw(view, world, options.size);
         if (options.png) write_png(options.out / (view.name + ".png"), stage.renderer().picture());
         if (options.exr) write_exr(options.out / (view.name + ".exr"), stage.renderer().radiance());
     }

@@ -5,6 +5,7 @@
 #include "scene/gltf.h"
 #include "terrain/terrain.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace alpenglow {
@@ -46,10 +47,25 @@ World Stage::prepare(View const& view) {
     return world;
 }
 
+void Stage::draw(View const& view, World const& world, Extent size, Renderer::Finish const& finish, PresentSync const& sync) {
+    try {
+        renderer_.draw(world, view.settings, size, finish, sync);
+    } catch (Error const& error) {
+        // Which images there are only the frame knows.
+        if (error.kind() != ErrorKind::wrong_use || overrides("show")) throw;
+        throw Error(ErrorKind::bad_input, error.what(), "view " + view.name);
+    }
+}
+
+bool Stage::overrides(std::string_view setting) const {
+    return std::ranges::find(options_.overrides, setting, &Override::name) != options_.overrides.end();
+}
+
 void Stage::require_scene(View const& view) {
     Placement const placement = scene_placement(view);
     std::string const key = scene_key(view, placement);
     if (key == scene_key_) return;
+    ground_.reset();
     if (view.scene.empty()) {
         renderer_.set_scene(nullptr, {}, planet_.radius);
     } else {
@@ -57,8 +73,13 @@ void Stage::require_scene(View const& view) {
         Scene scene = load_gltf(file, {view.settings.largest_texture});
         if (placement.curve) curve_to_planet(scene, planet_.radius, placement.scale);
         renderer_.set_scene(&scene, placement, planet_.radius);
+        if (follows_ground_) ground_.emplace(scene, placement, planet_.radius);
     }
     scene_key_ = key;
+}
+
+double Stage::ground_altitude(glm::dvec3 const& world) const {
+    return ground_ ? std::max(ground_->altitude(world).value_or(0), 0.0) : 0.0;
 }
 
 void Stage::require_no_messages() const {

@@ -2,6 +2,7 @@
 
 #include "render/renderer.h"
 #include "sandbox/commands.h"
+#include "scene/ground_query.h"
 #include "scene/view.h"
 
 #include <memory>
@@ -21,10 +22,19 @@ public:
     View dressed(View view) const;
     /// Loads what the view needs, and gives the world to draw. Throws Error.
     World prepare(View const& view);
+    /// Draws the world as the view says. Throws Error; a view file that shows an image which does not exist is bad input.
+    void draw(View const& view, World const& world, Extent size, Renderer::Finish const& finish = {}, PresentSync const& sync = {});
+    /// Of the view prepared last.
+    Planet const& planet() const { return planet_; }
+    /// From the next scene on, `ground_altitude` knows it.
+    void follow_ground() { follows_ground_ = true; }
+    /// Of what stands under (or over) a place in the world [m]: the scene, or the planet's radius, 0.
+    double ground_altitude(glm::dvec3 const& world) const;
     /// Throws Error(device) where validation was asked for and said anything.
     void require_no_messages() const;
 
 private:
+    bool overrides(std::string_view setting) const;
     void require_scene(View const& view);
 
     DrawOptions options_;
@@ -33,6 +43,8 @@ private:
     std::string planet_name_;
     Planet planet_;
     std::string scene_key_;
+    bool follows_ground_ = false;
+    std::optional<GroundQuery> ground_;
 };
 
 } // namespace alpenglow

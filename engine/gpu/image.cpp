@@ -26,19 +26,29 @@ GpuImage::GpuImage(Device const& device, ImageShape const& shape, VkImageUsageFl
     bytes_ = needs.size;
     check(vkBindImageMemory(device.handle(), image_, memory_, 0), "binding the image " + name);
     device.set_name(VK_OBJECT_TYPE_IMAGE, reinterpret_cast<std::uint64_t>(image_), name);
+    make_views();
+}
 
+GpuImage::GpuImage(Device const& device, VkImage borrowed, ImageShape const& shape, VkImageUsageFlags usage, std::string const& name)
+    : device_(device), shape_(shape), usage_(usage), image_(borrowed) {
+    device.set_name(VK_OBJECT_TYPE_IMAGE, reinterpret_cast<std::uint64_t>(image_), name);
+    make_views();
+}
+
+void GpuImage::make_views() {
     constexpr VkImageUsageFlags viewed = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT |
                                          VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
-    if (!(usage & viewed)) return;
-    array_view_ = make_view(VK_IMAGE_VIEW_TYPE_2D_ARRAY, 0, shape.layers);
-    view_ = shape.layers > 1 ? array_view_ : make_view(VK_IMAGE_VIEW_TYPE_2D, 0, 1);
-    for (std::uint32_t i = 0; i < shape.layers; ++i) layer_views_.push_back(make_view(VK_IMAGE_VIEW_TYPE_2D, i, 1));
+    if (!(usage_ & viewed)) return;
+    array_view_ = make_view(VK_IMAGE_VIEW_TYPE_2D_ARRAY, 0, shape_.layers);
+    view_ = shape_.layers > 1 ? array_view_ : make_view(VK_IMAGE_VIEW_TYPE_2D, 0, 1);
+    for (std::uint32_t i = 0; i < shape_.layers; ++i) layer_views_.push_back(make_view(VK_IMAGE_VIEW_TYPE_2D, i, 1));
 }
 
 GpuImage::~GpuImage() {
     for (VkImageView view : layer_views_) vkDestroyImageView(device_.handle(), view, nullptr);
     if (view_ != array_view_) vkDestroyImageView(device_.handle(), view_, nullptr);
     vkDestroyImageView(device_.handle(), array_view_, nullptr);
+    if (!memory_) return;
     vkDestroyImage(device_.handle(), image_, nullptr);
     device_.free(memory_, bytes_);
 }

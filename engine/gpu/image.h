@@ -32,6 +32,8 @@ struct ImageState {
 class GpuImage {
 public:
     GpuImage(Device const& device, ImageShape const& shape, VkImageUsageFlags usage, std::string const& name);
+    /// Views of an image that somebody else owns, such as a window's swapchain.
+    GpuImage(Device const& device, VkImage borrowed, ImageShape const& shape, VkImageUsageFlags usage, std::string const& name);
     ~GpuImage();
     GpuImage(GpuImage const&) = delete;
     GpuImage& operator=(GpuImage const&) = delete;
@@ -48,13 +50,14 @@ public:
     ImageState state; ///< kept by whoever records commands for the image
 
 private:
+    void make_views();
     VkImageView make_view(VkImageViewType type, std::uint32_t first_layer, std::uint32_t layers) const;
 
     Device const& device_;
     ImageShape shape_;
     VkImageUsageFlags usage_;
     VkImage image_ = VK_NULL_HANDLE;
-    VkDeviceMemory memory_ = VK_NULL_HANDLE;
+    VkDeviceMemory memory_ = VK_NULL_HANDLE; ///< none: the image is borrowed
     VkDeviceSize bytes_ = 0;
     VkImageView view_ = VK_NULL_HANDLE, array_view_ = VK_NULL_HANDLE;
     std::vector<VkImageView> layer_views_;

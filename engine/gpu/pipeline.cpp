@@ -106,9 +106,14 @@ VkPipeline make_raster(Device const& device, RasterState const& state, VkPipelin
     depth.depthTestEnable = depth.depthWriteEnable = state.depth != VK_FORMAT_UNDEFINED;
     depth.depthCompareOp = state.shadow ? VK_COMPARE_OP_LESS : VK_COMPARE_OP_GREATER;
 
-    VkPipelineColorBlendAttachmentState opaque{};
-    opaque.colorWriteMask = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
-    std::vector<VkPipelineColorBlendAttachmentState> const attachments(state.colors.size(), opaque);
+    VkPipelineColorBlendAttachmentState target{};
+    target.colorWriteMask = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
+    target.blendEnable = state.blend;
+    target.srcColorBlendFactor = VK_BLEND_FACTOR_SRC_ALPHA;
+    target.dstColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
+    target.srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
+    target.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
+    std::vector<VkPipelineColorBlendAttachmentState> const attachments(state.colors.size(), target);
     VkPipelineColorBlendStateCreateInfo blend{};
     blend.sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO;
     blend.attachmentCount = static_cast<std::uint32_t>(attachments.size());
@@ -170,7 +175,9 @@ Pipeline const& PipelineCache::compute(ShaderCode const& shader, std::vector<Slo
 
 Pipeline const& PipelineCache::raster(RasterState const& state, std::vector<SlotLayout> const& slots) {
     char const* const fragment = state.fragment.name ? state.fragment.name : "";
-    std::unique_ptr<Pipeline>& entry = pipelines_[fmt::format("{}+{} {} {}{}", state.vertex.name, fragment, state.shadow, state.slope_bias, slots_key(slots))];
+    std::string key = fmt::format("{}+{} {} {} {}{}", state.vertex.name, fragment, state.shadow, state.slope_bias, state.blend, slots_key(slots));
+    for (VkFormat color : state.colors) key += fmt::format(" {}", static_cast<int>(color));
+    std::unique_ptr<Pipeline>& entry = pipelines_[key];
     if (entry) return *entry;
     constexpr VkShaderStageFlags stages = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
     VkDescriptorSetLayout const set0 = make_push_layout(device_, slots, stages);

@@ -56,6 +56,7 @@ struct RasterState {
     VkFormat depth = VK_FORMAT_UNDEFINED;
     bool shadow = false;                     ///< nearer is smaller, clamped instead of clipped, slope bias
     float slope_bias = 0;                    ///< with `shadow`
+    bool blend = false;                      ///< over what is there, by the fragment's straight alpha
     VkDescriptorSetLayout set1 = VK_NULL_HANDLE;
 };
 

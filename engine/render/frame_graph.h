@@ -24,7 +24,7 @@ enum class ShowScale {
     depth,    ///< reversed, infinite: logarithm of the distance
     shadow,   ///< 0 to 1, layers side by side
     optical_depth, ///< as transmittance
-    logarithm,     ///< natural logarithms, 1e-6 to 1
+    logarithm,     ///< of 32nd roots, 1e-6 to 1
 };
 
 /// Bytes that the CPU writes for a frame, bound as a uniform buffer in scalar layout.

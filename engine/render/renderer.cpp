@@ -67,6 +67,12 @@ void Renderer::draw(World const& world, Settings const& settings, Extent extent,
     executor_.submit(graph, sync);
 }
 
+void Renderer::finish_again(Finish const& finish, PresentSync const& sync) {
+    FrameGraph graph;
+    finish(graph, graph.import(*picture_, "picture", ShowScale::encoded, true));
+    executor_.submit(graph, sync);
+}
+
 ByteImage Renderer::picture() {
     executor_.wait();
     ByteImage image(picture_->shape().extent);

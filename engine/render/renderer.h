@@ -25,6 +25,8 @@ public:
     /// As `draw`, then lets `finish` add passes behind the picture, such as the panel and the swapchain's image.
     using Finish = std::function<void(FrameGraph&, ImageId picture)>;
     void draw(World const& world, Settings const& settings, Extent extent, Finish const& finish, PresentSync const& sync);
+    /// Runs `finish` behind the last picture, which is not drawn anew. There must be one.
+    void finish_again(Finish const& finish, PresentSync const& sync);
     void wait() { executor_.wait(); }
 
     ByteImage picture();

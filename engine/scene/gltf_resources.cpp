@@ -18,7 +18,7 @@ std::vector<std::byte> read_uri(std::string const& uri, std::string const& point
     try {
         return read_file(file.path);
     } catch (Error const& error) {
-        report.fail(pointer, error.what());
+        report.fail(pointer, error.what(), "");
     }
 }
 

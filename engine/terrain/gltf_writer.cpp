@@ -82,14 +82,26 @@ void GltfWriter::write_glb(std::filesystem::path const& file) {
 
 void GltfWriter::write_gltf(std::filesystem::path const& file) {
     std::string const stem = file.stem().string();
-    for (Picture const& p : pictures_) {
-        std::string const name = stem + "_" + p.name + "." + p.kind;
-        write_file(file.parent_path() / name, p.bytes);
-        json["images"].push_back({{"name", p.name}, {"uri", name}});
+    std::filesystem::path const folder = file.parent_path();
+    std::vector<std::filesystem::path> written;
+    auto const write = [&](std::string const& name, std::span<std::byte const> bytes) {
+        write_file(folder / name, bytes);
+        written.push_back(folder / name);
+    };
+    try {
+        for (Picture const& picture : pictures_) {
+            std::string const name = stem + "_" + picture.name + "." + picture.kind;
+            write(name, picture.bytes);
+            json["images"].push_back({{"name", picture.name}, {"uri", name}});
+        }
+        write(stem + ".bin", binary_);
+        json["buffers"] = {{{"byteLength", binary_.size()}, {"uri", stem + ".bin"}}};
+        write_text_file(file, json.dump(1));
+    } catch (...) {
+        std::error_code ignored;
+        for (std::filesystem::path const& part : written) std::filesystem::remove(part, ignored);
+        throw;
     }
-    write_file(file.parent_path() / (stem + ".bin"), binary_);
-    json["buffers"] = {{{"byteLength", binary_.size()}, {"uri", stem + ".bin"}}};
-    write_text_file(file, json.dump(1));
 }
 
 } // namespace alpenglow

@@ -92,7 +92,9 @@ std::filesystem::path default_terrain(double planet_radius) {
                                         options.planet_radius, options.resolution, options.erosion,
                                         options.map_size);
     std::filesystem::path const file = cache_folder() / fmt::format("terrain-{:016x}.glb", hash_of(key));
-    if (!std::filesystem::is_regular_file(file)) write_terrain(options, file);
+    if (std::filesystem::is_regular_file(file)) return file;
+    require_writable_folder(file.parent_path(), "set ALPENGLOW_CACHE to a folder for the generated scene");
+    write_terrain(options, file);
     return file;
 }
 

@@ -9,6 +9,7 @@ INLINE float srgb_from_linear(float x) { return x <= 0.0031308f ? 12.92f * x : 1
 INLINE float linear_from_srgb(float x) { return x <= 0.04045f ? x / 12.92f : pow((x + 0.055f) / 1.055f, 2.4f); }
 
 INLINE vec3 srgb_from_linear3(vec3 c) { return vec3(srgb_from_linear(c.x), srgb_from_linear(c.y), srgb_from_linear(c.z)); }
+INLINE vec3 linear_from_srgb3(vec3 c) { return vec3(linear_from_srgb(c.x), linear_from_srgb(c.y), linear_from_srgb(c.z)); }
 
 // 1 - exp(-x): Fernandez Arenas, figure 13.
 INLINE vec3 exponential_curve(vec3 x) { return vec3(1.0f) - exp(-x); }

@@ -68,7 +68,7 @@ vec3 surface_radiance(ivec2 pixel, PixelRay ray, AirPoint place, vec3 light) {
     // Up at the surface: the camera's up moved along the ray.
     vec3 up = normalize(frame.camera_up * (frame.atmosphere.ground_radius + frame.camera_altitude) + ray.direction * ray.distance);
     vec3 ground = (sky + sun * max(place.mu_s, 0.0)) * frame.atmosphere.ground_albedo;
-    vec3 ambient = sky_irradiance_on_normal(sky, ground, dot(shading, up)) * albedo.a;
+    vec3 ambient = sky_irradiance_on_normal(sky, ground, clamp(dot(shading, up), -1.0, 1.0)) * albedo.a;
 
     float n_v = clamp(dot(shading, to_camera), 0.0, 1.0);
     vec3 radiance = reflect_light(surface, shading, to_camera, frame.to_sun) * sun * visibility + reflect_ambient(surface, n_v) * ambient;

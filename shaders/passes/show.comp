@@ -34,7 +34,7 @@ vec3 encoded(vec4 texel) {
     case DEPTH: return texel.r > 0.0 ? scale_color((decades + 1.0) / 9.0) : vec3(0.0);
     case SHADOW: return vec3(texel.r);
     case OPTICAL_DEPTH: return srgb_from_linear3(exp(-texel.rgb));
-    default: return clamp(texel.rgb / 13.8 + 1.0, 0.0, 1.0);
+    default: return clamp(log(max(texel.rgb, 1e-30)) * (32.0 / 13.8) + 1.0, 0.0, 1.0);
     }
 }
 

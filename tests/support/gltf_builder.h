@@ -3,33 +3,20 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "scene/gltf.h"
+#include "scene/gltf_report.h"
+#include "support/files.h"
 
 #include <nlohmann/json.hpp>
 
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <filesystem>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <vector>
 
 namespace alpenglow::test {
-
-/// A folder of its own under the system's temporary one, removed at the end.
-class TemporaryFolder {
-public:
-    TemporaryFolder();
-    ~TemporaryFolder();
-    TemporaryFolder(TemporaryFolder const&) = delete;
-    TemporaryFolder& operator=(TemporaryFolder const&) = delete;
-    std::filesystem::path const& path() const { return path_; }
-
-private:
-    std::filesystem::path path_;
-};
 
 /// A small glTF in the making: one buffer, a view and an accessor for each array that is added.
 struct GltfBuilder {
@@ -67,22 +54,11 @@ GltfBuilder one_triangle();
 
 /// Loads text as a .gltf of its own folder.
 Scene load_text(std::string const& text, GltfOptions const& options = {});
-/// The message of the error that loading gives, without the file's name; "" where it loads.
+/// The message of the error that loading gives, without the file's name and the usual advice; "" where it loads.
 std::string error_of(std::string const& text);
+std::string without_usual_advice(std::string line);
 
 std::string base64(std::span<std::byte const> bytes);
-
-
-inline TemporaryFolder::TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "alpenglow_XXXXXX").string();
-    if (!::mkdtemp(name.data())) throw std::runtime_error("no temporary folder");
-    path_ = name;
-}
-
-inline TemporaryFolder::~TemporaryFolder() {
-    std::error_code error;
-    std::filesystem::remove_all(path_, error);
-}
 
 inline std::size_t GltfBuilder::components(std::string const& type) {
     return type == "SCALAR" ? 1 : static_cast<std::size_t>(type.back() - '0');
@@ -149,11 +125,17 @@ inline Scene load_text(std::string const& text, GltfOptions const& options) {
     return load_gltf(folder.path() / "scene.gltf", options);
 }
 
+inline std::string without_usual_advice(std::string line) {
+    std::string const advice = std::string(" (") + gltf::EXPORT_AGAIN + ")";
+    if (line.ends_with(advice)) line.resize(line.size() - advice.size());
+    return line;
+}
+
 inline std::string error_of(std::string const& text) {
     try {
         load_text(text);
     } catch (Error const& error) {
-        std::string const line = error.what();
+        std::string const line = without_usual_advice(error.what());
         std::string const end_of_name = "scene.gltf: ";
         return line.substr(line.find(end_of_name) + end_of_name.size());
     }

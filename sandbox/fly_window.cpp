@@ -1,0 +1,222 @@
+#include "sandbox/fly.h"
+
+#include "core/error.h"
+#include "core/log.h"
+#include "gpu/swapchain.h"
+#include "render/passes/overlay.h"
+#include "render/passes/present.h"
+#include "sandbox/panel.h"
+#include "sandbox/render_scale.h"
+#include "sandbox/saved_views.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+namespace alpenglow {
+
+namespace {
+
+constexpr std::uint32_t FRAMES_IN_FLIGHT = 2;
+constexpr double IDLE_PATIENCE = 0.1;   // [s] between looks at a picture that stands still
+constexpr double MESSAGE_TIME = 5;      // [s]
+constexpr double JITTER = 16;           // [screen units] a mouse that moves less from its place was only touched
+constexpr double WHEEL_ZOOM = 0.9;      // of the field of view, for a notch
+char const* const SAVED_VIEWS = "out/views";
+char const* const HINT = "Any key or the mouse takes over; H shows the keys";
+
+double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+class WindowFlight {
+public:
+    WindowFlight(FlyOptions const& options, Flight const& flight, Window& window)
+        : window_(window), stage_(options, window.device_options(), FRAMES_IN_FLIGHT), panel_(window), pilot_(stage_, flight),
+          overlay_(stage_.device(), Panel::texture(), FRAMES_IN_FLIGHT), swapchain_(stage_.device(), window.framebuffer(), FRAMES_IN_FLIGHT) {
+        stage_.follow_ground();
+        world_ = stage_.prepare(pilot_.view());
+        then_ = seconds();
+    }
+
+    void run() {
+        while (!window_.close_requested()) step();
+        stage_.renderer().wait();
+        stage_.require_no_messages();
+    }
+
+private:
+    void step();
+    void steer(WindowEvents const& events, double dt);
+    FlyInput look(WindowEvents const& events);
+    bool takes_over(WindowEvents const& events);
+    bool fit_window(WindowEvents const& events);
+    Extent choose_size();
+    void draw(Extent size);
+    void finish(FrameGraph& graph, ImageId picture, GpuImage& target);
+    void note_times();
+    void save();
+    std::string message() const;
+    KeyTarget target() { return {pilot_, screen_}; }
+
+    Window& window_;
+    Stage stage_;
+    Panel panel_;
+    Pilot pilot_;
+    Overlay overlay_;
+    Swapchain swapchain_;
+    World world_;
+    Screen screen_;
+    RenderScale scale_;
+    PictureReport report_;
+    OverlayMesh mesh_;
+
+    double then_ = 0;              ///< [s] when the last step began
+    glm::dvec2 mouse_path_{0};     ///< since the start
+    bool looking_ = false;         ///< a button that went down on the picture is held
+    bool stale_swapchain_ = false;
+    std::string drawn_;            ///< the view of the picture, as text: the same text is the same picture
+    bool moving_ = true;           ///< the view is another one than in the last step
+    std::string message_;
+    double message_end_ = 0;       ///< [s]
+};
+
+void WindowFlight::step() {
+    bool const idle = !moving_ && drawn_ == view_text(pilot_.view());
+    WindowEvents const events = window_.poll(idle ? IDLE_PATIENCE : 0);
+    if (!fit_window(events)) {
+        window_.poll(IDLE_PATIENCE);
+        then_ = seconds(); // time stands still while there is nothing to see
+        return;
+    }
+    double const now = seconds(), dt = now - std::exchange(then_, now);
+    std::string const before = view_text(pilot_.view());
+    panel_.begin();
+    steer(events, dt);
+    mesh_ = panel_.finish(target(), report_, message());
+    moving_ = view_text(pilot_.view()) != before;
+    world_ = stage_.prepare(pilot_.view());
+    if (std::exchange(screen_.save, false)) save();
+    draw(choose_size());
+}
+
+bool WindowFlight::fit_window(WindowEvents const& events) {
+    if (events.resized || stale_swapchain_ || swapchain_.extent().pixels() == 0) swapchain_.resize(window_.framebuffer());
+    stale_swapchain_ = false;
+    return swapchain_.extent().pixels() > 0;
+}
+
+void WindowFlight::steer(WindowEvents const& events, double dt) {
+    if (takes_over(events)) {
+        pilot_.take_over();
+        screen_.panel = true;
+    }
+    bool const typing = panel_.wants_keyboard();
+    if (!typing && std::ranges::find(events.pressed, key::ESCAPE) != events.pressed.end()) window_.request_close();
+    FlyInput input = look(events);
+    if (!typing) {
+        act_on_keys(target(), events.pressed, window_.shift());
+        FlyInput const held = held_input(window_, events, dt);
+        input.move = held.move, input.roll = held.roll, input.boost = held.boost;
+    }
+    if (events.wheel != 0 && !panel_.wants_mouse()) pilot_.set_vertical_fov(pilot_.view().camera.vertical_fov * std::pow(WHEEL_ZOOM, events.wheel));
+    pilot_.advance(dt, input);
+}
+
+bool WindowFlight::takes_over(WindowEvents const& events) {
+    if (pilot_.user_flies()) return false;
+    mouse_path_ += events.mouse_moved;
+    return !events.pressed.empty() || events.button_pressed || events.wheel != 0 || glm::length(mouse_path_) > JITTER;
+}
+
+/// The mouse turns the camera as far as the picture is wide under it, while a button is held.
+FlyInput WindowFlight::look(WindowEvents const& events) {
+    bool const looks = window_.button_down() && (looking_ || (events.button_pressed && !panel_.wants_mouse()));
+    if (looks != looking_) window_.capture_mouse(looks);
+    bool const looked = std::exchange(looking_, looks);
+    FlyInput input;
+    if (!looked && !looks) return input;
+    double const radians = pilot_.view().camera.vertical_fov / window_.height();
+    input.yaw = events.mouse_moved.x * radians;
+    input.pitch = -events.mouse_moved.y * radians;
+    return input;
+}
+
+Extent WindowFlight::choose_size() {
+    double const share = screen_.adapt_share ? scale_.share(moving_) : 1;
+    return scaled(swapchain_.extent(), share);
+}
+
+void WindowFlight::draw(Extent size) {
+    auto const target = swapchain_.acquire();
+    if (!target) {
+        stale_swapchain_ = true;
+        return;
+    }
+    auto const finishing = [&](FrameGraph& graph, ImageId picture) { finish(graph, picture, *target->image); };
+    PresentSync const sync{target->acquired, target->finished};
+    std::string const view = view_text(pilot_.view());
+    bool const same = view == drawn_ && size == report_.drawn;
+    if (same) {
+        stage_.renderer().finish_again(finishing, sync);
+    } else {
+        stage_.draw(pilot_.view(), world_, size, finishing, sync);
+        drawn_ = view;
+        report_.drawn = size;
+    }
+    stale_swapchain_ = !swapchain_.present();
+    // A frame ahead gains nothing where the device is this processor, and the user feels it as a lag.
+    if (stage_.device().is_software()) stage_.renderer().wait();
+    note_times();
+}
+
+void WindowFlight::finish(FrameGraph& graph, ImageId picture, GpuImage& target) {
+    // A frame that only shows its picture again has no other images.
+    if (graph.images().size() > 1) {
+        screen_.images = {"cascades"};
+        for (FrameGraph::Image const& image : graph.images()) {
+            if (image.scale != ShowScale::encoded) screen_.images.push_back(image.name);
+        }
+    }
+    ImageId const window = graph.import(target, "window", ShowScale::encoded, false);
+    add_present(graph, picture, window, swapchain_.encodes_srgb());
+    overlay_.add(graph, window, std::move(mesh_), swapchain_.encodes_srgb());
+    graph.present(window);
+}
+
+/// Times of a whole frame; those of a picture shown again say nothing.
+void WindowFlight::note_times() {
+    double of_pixels = 0;
+    bool whole = false;
+    for (PassTime const& pass : stage_.renderer().timings()) {
+        whole = whole || pass.name == "lighting";
+        if (pass.name != "sun_shadow") of_pixels += pass.gpu_ms;
+    }
+    if (!whole) return;
+    report_.passes = stage_.renderer().timings();
+    scale_.note(of_pixels, double(report_.drawn.width) / swapchain_.extent().width);
+}
+
+/// The picture in the window's full size, without the panel.
+void WindowFlight::save() {
+    stage_.draw(pilot_.view(), world_, swapchain_.extent());
+    try {
+        message_ = "saved " + save_view(SAVED_VIEWS, pilot_.view(), stage_.renderer().picture()).string();
+        log_info(message_);
+    } catch (Error const& error) {
+        message_ = error.what();
+        log_warning(message_);
+    }
+    message_end_ = seconds() + MESSAGE_TIME;
+    report_.drawn = {}; // the renderer's picture is another one now
+}
+
+std::string WindowFlight::message() const {
+    if (seconds() < message_end_) return message_;
+    return pilot_.user_flies() ? "" : HINT;
+}
+
+} // namespace
+
+void fly_in_window(FlyOptions const& options, Flight const& flight, Window& window) { WindowFlight(options, flight, window).run(); }
+
+} // namespace alpenglow
