@@ -15,6 +15,8 @@ namespace alpenglow {
 
 namespace {
 
+constexpr double FINEST_TEXEL = 5; ///< [m]
+
 FarMap make_map(double west, double south, double side, int size) {
     Extent const extent{static_cast<std::uint32_t>(size), static_cast<std::uint32_t>(size)};
     return {west, south, side, ByteImage(extent), ByteImage(extent)};
@@ -162,11 +164,16 @@ std::vector<FarMap> plan_far_maps(Relief const& relief, int size) {
     for (FinePlace const& p : places) middle += glm::dvec2(p.east, p.north) / double(places.size());
 
     int whole = size;
-    while (whole > 64 && side / whole < Fineness::FINEST) whole /= 2;
+    while (whole > 64 && side / whole < FINEST_TEXEL) whole /= 2;
     std::vector<FarMap> maps{make_map(-0.5 * side, -0.5 * side, side, whole)};
-    if (0.5 * side / size >= Fineness::FINEST) maps.push_back(map_around(relief, middle, 0.5 * side, size));
-    if (0.25 * side / size < Fineness::FINEST) return maps;
-    for (FinePlace const& p : places) maps.push_back(map_around(relief, {p.east, p.north}, side / 8, size / 2));
+    auto const add = [&](glm::dvec2 place, int part, int texels) {
+        if (side / part / texels >= FINEST_TEXEL) maps.push_back(map_around(relief, place, side / part, texels));
+    };
+    add(middle, 2, size);
+    for (FinePlace const& p : places) {
+        add({p.east, p.north}, 8, size / 2);
+        add({p.east, p.north}, 32, size / 4);
+    }
     return maps;
 }
 

@@ -23,9 +23,9 @@ struct FarMap {
     }
 };
 
-/// Blank maps, each within the one before it or beside it: the whole terrain, its half around the fine places, and an
-/// eighth around each fine place; `size` [texels] along the first ones. Maps whose texels would be finer than vertices
-/// ever are left out, or made smaller.
+/// Blank maps: the whole terrain and its half around the fine places, `size` texels along each; an eighth and a
+/// 32nd of its side around each fine place, with a half and a quarter as many texels. Maps whose texels would be finer
+/// than the vertices ever are get fewer texels, or are left out.
 std::vector<FarMap> plan_far_maps(Relief const& relief, int size);
 
 /// Draws each tile on the finest map that holds it, and lays those whose vertices stand farther apart than its texels

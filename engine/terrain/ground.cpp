@@ -57,7 +57,7 @@ glm::dvec3 rock(std::uint32_t seed, GroundPlace const& p, Chance const& c) {
     double const level = p.altitude + 0.22 * p.east - 0.16 * p.north + 90 * c.broad + 14 * c.patches;
     double const beds = fractal_noise(seed + 351, level / 150, 0.5, 4);
     double const pale = smooth_step(-0.22, 0.22, beds + 0.6 * c.broad + 0.25 * c.ragged);
-    return glm::mix(DARK_ROCK, PALE_ROCK, pale) * (1 + 0.35 * c.fine + 0.2 * c.ragged + 0.1 * p.gully);
+    return glm::mix(DARK_ROCK, PALE_ROCK, pale) * (1 + 0.55 * c.fine + 0.25 * c.ragged + 0.1 * p.gully);
 }
 
 /// Broken at its edges, thin at its upper limit, cut by the gullies that avalanches keep open.

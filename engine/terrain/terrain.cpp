@@ -16,7 +16,7 @@ namespace alpenglow {
 namespace {
 
 /// Goes up whenever the same options give another file, so that cached scenes are made anew.
-constexpr int GENERATOR_VERSION = 4;
+constexpr int GENERATOR_VERSION = 5;
 constexpr int DETAIL_SIZE = 1024; // [texels]
 
 void check(bool good, std::string const& what, std::string const& advice) {

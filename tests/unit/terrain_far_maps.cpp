@@ -43,11 +43,12 @@ glm::dvec3 mapped(glm::dvec3 n, std::uint8_t const* texel) {
 } // namespace
 
 TEST(FarMaps, lie_around_the_fine_place_with_finer_texels_each) {
-    ASSERT_EQ(clad().maps.size(), 3u);
+    ASSERT_EQ(clad().maps.size(), 4u);
     EXPECT_DOUBLE_EQ(clad().maps[0].side, SIDE);
     EXPECT_DOUBLE_EQ(clad().maps[1].side, SIDE / 2);
     EXPECT_DOUBLE_EQ(clad().maps[2].side, SIDE / 8);
-    for (std::size_t k = 1; k < 3; ++k) {
+    EXPECT_DOUBLE_EQ(clad().maps[3].side, SIDE / 32);
+    for (std::size_t k = 1; k < 4; ++k) {
         EXPECT_LT(clad().maps[k].texel(), clad().maps[k - 1].texel());
         glm::dvec2 const place = clad().maps[k].uv(500, -800);
         for (int c = 0; c < 2; ++c) EXPECT_TRUE(place[c] > 0.25 && place[c] < 0.75);
