@@ -81,9 +81,12 @@ INLINE vec3 compute_multiple_scattering(Atmosphere atmosphere, sampler2D transmi
 // The texel that stores Psi, and Psi from the table.
 INLINE vec4 multiple_scattering_texel(vec3 psi) { return vec4(root32(psi), 1.0f); }
 
+INLINE vec2 multiple_scattering_uv(Atmosphere atmosphere, float h, float mu_s) {
+    return sun_table_uv(atmosphere, h, mu_s, MULTIPLE_SCATTERING_WIDTH, MULTIPLE_SCATTERING_HEIGHT);
+}
+
 INLINE vec3 sample_multiple_scattering(sampler2D table, Atmosphere atmosphere, float h, float mu_s) {
-    vec2 uv = sun_table_uv(atmosphere, h, mu_s, MULTIPLE_SCATTERING_WIDTH, MULTIPLE_SCATTERING_HEIGHT);
-    return power32(vec3(sample_bilinear(table, uv)));
+    return power32(vec3(sample_bilinear(table, multiple_scattering_uv(atmosphere, h, mu_s))));
 }
 
 SHADER_NAMESPACE_END

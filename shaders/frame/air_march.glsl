@@ -36,16 +36,35 @@ Span shaded_span(AirRay ray, vec3 light, float entry, float end) {
     return crossed(span, Span(0.0, end));
 }
 
-// Adds the light of one cell, evaluated at distance t [m] and seen by the share `visibility` of the sun.
-void add_air_cell(inout AirLight light, Atmosphere atmosphere, RayPhases phases, AirRay ray, float t, float visibility, float cell_length) {
+// What changes slowly along a ray, as the tables hold it: their 32nd roots follow an exponential nearly linearly, so that one
+// look into the tables serves a few samples.
+struct AirNode {
+    float t;        // from the ray's origin [m]
+    float altitude; // [m]
+    vec3 sun_root;  // of the optical depth towards the sun
+    vec3 psi_root;  // of the multiple scattering
+};
+
+const int NODE_SPACING = 4; // samples
+
+AirNode air_node(Atmosphere atmosphere, AirRay ray, float t) {
     float altitude = altitude_at(ray, t), sun_along = ray.sun_along + t * ray.nu;
+    vec2 sun_uv = transmittance_uv_from_altitude_along(atmosphere, altitude, sun_along);
+    vec2 psi_uv = multiple_scattering_uv(atmosphere, altitude, sun_along / (atmosphere.ground_radius + altitude));
+    return AirNode(t, altitude, sample_bilinear(transmittance_table, sun_uv).rgb, sample_bilinear(multiple_scattering_table, psi_uv).rgb);
+}
+
+// Adds the light of one cell, evaluated at distance t [m] between two nodes, and seen by the share `visibility` of the sun.
+void add_air_cell(inout AirLight light, Atmosphere atmosphere, RayPhases phases, AirRay ray, AirNode near, AirNode far, float t,
+                  float visibility, float cell_length) {
+    float altitude = altitude_at(ray, t), sun_along = ray.sun_along + t * ray.nu;
+    float share = clamp((t - near.t) / max(far.t - near.t, TINY), 0.0, 1.0);
+    // Altitude bends between the nodes where a straight line of their depths would not: to first order of the root.
+    float bend = (mix(near.altitude, far.altitude, share) - altitude) / (32.0 * atmosphere.rayleigh_scale_height);
+    vec3 sun_depth = power32(mix(near.sun_root, far.sun_root, share) * (1.0 + bend));
+    vec3 sun = exp(-sun_depth) * (sun_above_horizon_along(atmosphere, altitude, sun_along) * visibility);
+    vec3 psi = power32(mix(near.psi_root, far.psi_root, share)) * ((frame.flags & FRAME_MULTIPLE_SCATTERING) != 0 ? 1.0 : 0.0);
     Medium medium = medium_at(atmosphere, altitude);
-    vec3 sun = sample_sun_transmittance_along(transmittance_table, atmosphere, altitude, sun_along) * visibility;
-    vec3 psi = vec3(0.0);
-    if ((frame.flags & FRAME_MULTIPLE_SCATTERING) != 0) {
-        float mu_s = sun_along / (atmosphere.ground_radius + altitude);
-        psi = sample_multiple_scattering(multiple_scattering_table, atmosphere, altitude, mu_s);
-    }
     add_cell(light, inscattering_source(medium, phases, sun, psi), medium.extinction, cell_length);
 }
 
@@ -53,50 +72,57 @@ void add_air_cell(inout AirLight light, Atmosphere atmosphere, RayPhases phases,
 AirLight march_shaded(Atmosphere atmosphere, AirRay ray, RayPhases phases, vec3 light, float entry, Span span, int n, float dither) {
     AirLight result = no_air_light();
     float cell = (span.end - span.begin) / float(max(n, 1));
-    for (int i = 0; i < n; ++i) {
-        float t = span.begin + (float(i) + dither) * cell;
-        float visibility = air_visibility(light * (t + entry));
-        add_air_cell(result, atmosphere, phases, ray, t, visibility, cell);
+    AirNode near = air_node(atmosphere, ray, span.begin);
+    for (int first = 0; first < n; first += NODE_SPACING) {
+        int next = min(first + NODE_SPACING, n);
+        AirNode far = air_node(atmosphere, ray, span.begin + float(next) * cell);
+        for (int i = first; i < next; ++i) {
+            float t = span.begin + (float(i) + dither) * cell;
+            add_air_cell(result, atmosphere, phases, ray, near, far, t, air_visibility(light * (t + entry)), cell);
+        }
+        near = far;
     }
     return result;
 }
 
-// `before` cells over one stretch, `behind` over another, with `between` in their middle. One loop, so that both stretches cost one.
-AirLight march_around(Atmosphere atmosphere, AirRay ray, RayPhases phases, Span first, int before, AirLight between, Span second, int behind) {
+// `n` cells placed by altitude, with nothing in the sun's way but the planet; added behind `result`.
+void march_clear(inout AirLight result, Atmosphere atmosphere, AirRay ray, RayPhases phases, MarchCells cells, int n) {
+    AirNode near = air_node(atmosphere, ray, cells.begin);
+    float from = cells.begin;
+    for (int first = 0; first < n; first += NODE_SPACING) {
+        int next = min(first + NODE_SPACING, n);
+        AirNode far = air_node(atmosphere, ray, march_distance(cells, float(next) / float(n)));
+        for (int i = first; i < next; ++i) {
+            MarchCell cell = march_cell_from(cells, from, i, n);
+            from = cell.end;
+            add_air_cell(result, atmosphere, phases, ray, near, far, cell.middle, 1.0, cell.end - cell.begin);
+        }
+        near = far;
+    }
+}
+
+// `before` cells over one stretch, `behind` over another, with `between` in their middle. A loop of two, so that the march stands
+// in the shader once.
+AirLight march_around(Atmosphere atmosphere, AirRay ray, RayPhases phases, MarchCells first, int before, AirLight between,
+                      MarchCells second, int behind) {
     AirLight result = no_air_light();
-    MarchCells cells_before = make_march_cells(frame.atmosphere, ray, first.begin, max(first.end, first.begin));
-    MarchCells cells_behind = make_march_cells(frame.atmosphere, ray, second.begin, max(second.end, second.begin));
-    MarchCells cells = cells_before;
-    int count = before, index = 0;
-    float from = first.begin;
-    for (int i = 0; i < before + behind; ++i, ++index) {
-        if (i == before) {
-            from = second.begin;
+    for (int stretch = 0; stretch < 2; ++stretch) {
+        if (stretch == 1) {
             result.inscattered += result.transmittance * between.inscattered;
             result.transmittance *= between.transmittance;
-            cells = cells_behind;
-            count = behind;
-            index = 0;
         }
-        MarchCell cell = march_cell_from(cells, from, index, count);
-        from = cell.end;
-        add_air_cell(result, atmosphere, phases, ray, cell.middle, 1.0, cell.end - cell.begin);
-    }
-    if (behind == 0) {
-        result.inscattered += result.transmittance * between.inscattered;
-        result.transmittance *= between.transmittance;
+        MarchCells cells = first;
+        if (stretch == 1) cells = second;
+        march_clear(result, atmosphere, ray, phases, cells, stretch == 0 ? before : behind);
     }
     return result;
 }
 
 // Cells for the stretch before, out of `n` for both, by their measure; at least one for each that is not empty.
-int cells_before(AirRay ray, Span first, Span second, int n) {
-    MarchCells a = make_march_cells(frame.atmosphere, ray, first.begin, max(first.end, first.begin));
-    MarchCells b = make_march_cells(frame.atmosphere, ray, second.begin, max(second.end, second.begin));
-    float measure_a = a.measure_end - a.measure_begin, measure_b = b.measure_end - b.measure_begin;
-    int share = int(round(float(n) * measure_a / max(measure_a + measure_b, TINY)));
-    bool has_a = first.end > first.begin, has_b = second.end > second.begin;
-    return clamp(share, has_a ? 1 : 0, has_b ? n - 1 : n);
+int cells_before(MarchCells first, MarchCells second, int n) {
+    float measure_first = first.measure_end - first.measure_begin, measure_second = second.measure_end - second.measure_begin;
+    int share = int(round(float(n) * measure_first / max(measure_first + measure_second, TINY)));
+    return clamp(share, first.end > first.begin ? 1 : 0, second.end > second.begin ? n - 1 : n);
 }
 
 // The segment's transmittance: from the table where that is well conditioned, from the march's own sum elsewhere.
@@ -130,8 +156,8 @@ AirLight march_air(ivec2 pixel, AirRay from_camera, vec3 light, float distance) 
     if ((frame.flags & FRAME_MARCH_DITHER) != 0) dither = gradient_noise(vec2(pixel) + 5.588238 * float(frame.sample_index));
     AirLight between = march_shaded(atmosphere, ray, phases, light, entry, shaded, inside, dither);
 
-    Span first = Span(0.0, shaded.begin), second = Span(shaded.end, end);
-    int before = rest > 0 ? cells_before(ray, first, second, rest) : 0;
+    MarchCells first = make_march_cells(atmosphere, ray, 0.0, shaded.begin), second = make_march_cells(atmosphere, ray, shaded.end, end);
+    int before = rest > 0 ? cells_before(first, second, rest) : 0;
     AirLight result = march_around(atmosphere, ray, phases, first, before, between, second, rest - before);
     result.transmittance = segment_transmittance(ray, end, result.transmittance);
     return result;

@@ -54,16 +54,20 @@ float air_visibility(vec3 light) {
     return faded(lit, place.last_inside);
 }
 
-// 3x3 comparisons of a surface against a cascade. The surface is moved out along its normal by as much as the filter
-// reaches at its slope, so that it does not shade itself.
-float surface_visibility_in(CascadePlace place, vec3 light, vec3 light_normal) {
+// Texture coordinates and depth in a cascade of a surface that is moved out along its normal by as much as the filter reaches at its
+// slope, so that it does not shade itself.
+vec3 moved_out(CascadePlace place, vec3 light, vec3 light_normal) {
     float cosine = clamp(-light_normal.z, 0.0, 1.0);
     vec3 moved = light_normal * (place.texel * (0.4 + 1.6 * sqrt(1.0 - cosine * cosine)));
-    vec2 uv = place.uv + moved.xy * (place.texel_uv / place.texel);
-    float depth = light_depth(light.z + moved.z);
+    return vec3(place.uv + moved.xy * (place.texel_uv / place.texel), light_depth(light.z + moved.z));
+}
+
+// 3x3 comparisons of a surface against a cascade.
+float surface_visibility_in(CascadePlace place, vec3 light, vec3 light_normal) {
+    vec3 moved = moved_out(place, light, light_normal);
     float lit = 0.0;
     for (int y = -1; y <= 1; ++y) {
-        for (int x = -1; x <= 1; ++x) lit += texture(shadow_cascades, vec4(uv + vec2(x, y) * place.texel_uv, place.layer, depth));
+        for (int x = -1; x <= 1; ++x) lit += texture(shadow_cascades, vec4(moved.xy + vec2(x, y) * place.texel_uv, place.layer, moved.z));
     }
     return lit / 9.0;
 }
@@ -76,9 +80,10 @@ float surface_visibility(vec3 light, vec3 light_normal) {
     CascadePlace near = choose_cascade(light.xy, SURFACE_MARGIN, 0.0);
     CascadePlace far = choose_cascade(light.xy, SURFACE_MARGIN, near.layer + 1.0);
     float share = clamp((near.inside - SURFACE_MARGIN) / SURFACE_BLEND, 0.0, 1.0);
-    float lit = surface_visibility_in(near, light, light_normal);
-    if (share < 1.0) lit = mix(surface_visibility_in(far, light, light_normal), lit, share);
-    return faded(lit, near.last_inside);
+    // One comparison of the coarser cascade, which the sampler filters over two of its texels, is as soft as nine of the finer one.
+    vec3 moved = moved_out(far, light, light_normal);
+    float far_lit = texture(shadow_cascades, vec4(moved.xy, far.layer, moved.z));
+    return faded(mix(far_lit, surface_visibility_in(near, light, light_normal), share), near.last_inside);
 }
 
 #endif

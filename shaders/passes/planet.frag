@@ -24,12 +24,13 @@ void main() {
     float mu = dot(direction, frame.camera_up);
     float radius = frame.atmosphere.ground_radius;
     AirRay ray = make_air_ray(radius, frame.camera_altitude, mu, 0.0, 0.0);
-    if (!ray_hits_ground(ray)) discard;
+    bool hit = ray_hits_ground(ray);
     float distance = distance_into(ray, 0.0);
 
     vec3 unit = normalize(frame.camera_planet + direction * (distance / radius));
     float facing = max(dot(unit, -direction), 0.02);
-    float footprint = frame.pixel_angle * distance * inversesqrt(facing);
+    // A software device runs the look for the sky's pixels too: there no octave is wide enough to be seen.
+    float footprint = hit ? frame.pixel_angle * distance * inversesqrt(facing) : 4.0 * radius;
     GroundLookAt look;
     look.albedo = frame.ground_tint;
     look.roughness = 1.0;
@@ -38,6 +39,7 @@ void main() {
         vec3 in_period = mod(frame.camera_in_period + direction * distance, vec3(GROUND_PERIOD));
         look = planet_look(unit, in_period, footprint / radius, radius);
     }
+    if (!hit) discard;
     vec2 normal = octahedral_from_unit(unit);
     out_albedo = vec4(look.albedo, 1.0);
     out_normal = vec4(normal, normal);

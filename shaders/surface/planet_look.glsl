@@ -46,7 +46,7 @@ INLINE float octave_weight(float wavelength, float footprint) { return smoothste
 // faded where a pixel's footprint [rad] is too wide. -1 to 1 or so.
 INLINE float planet_noise(vec3 unit, float wavelength, int octaves, float footprint, float seed) {
     float sum = 0.0f, amplitude = 0.5f;
-    for (int i = 0; i < octaves; ++i) {
+    for (int i = 0; i < octaves && wavelength > footprint; ++i) {
         float weight = octave_weight(wavelength, footprint);
         vec3 p = (unit + vec3(1.5f + seed)) / wavelength;
         sum += weight * amplitude * lattice_noise(p, 1 << 20);
@@ -60,7 +60,7 @@ INLINE float planet_noise(vec3 unit, float wavelength, int octaves, float footpr
 INLINE float land_grain(vec3 in_period, float footprint) {
     float sum = 0.0f, amplitude = 0.3f;
     int cells = 2;
-    for (int i = 0; i < 13; ++i) {
+    for (int i = 0; i < 13 && GROUND_PERIOD > footprint * float(cells); ++i) {
         float wavelength = GROUND_PERIOD / float(cells);
         sum += octave_weight(wavelength, footprint) * amplitude * lattice_noise(in_period / wavelength, cells);
         amplitude *= 0.8f;
