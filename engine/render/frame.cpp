@@ -18,18 +18,19 @@ void build_frame(FrameGraph& graph, FrameInputs const& in) {
 
     AirTables const air = add_air_tables(graph, in, frame);
     SunShadow const shadow = add_sun_shadow(graph, in, frame);
+    ImageId toned;
     for (int sample = 0; sample < in.settings.aa; ++sample) {
         if (sample > 0) frame = graph.add_constants(in.constants[static_cast<std::size_t>(sample)]);
         GBuffer const gbuffer = add_gbuffer(graph, in, frame, sample);
         ImageId const lit = add_lighting(graph, in, frame, gbuffer, shadow, air, sample);
-        add_accumulate(graph, lit, mean, sample, in.settings.aa);
+        toned = add_accumulate(graph, lit, mean, in.settings, sample);
     }
     if (!in.settings.show.empty()) {
         add_show(graph, in.settings, picture);
     } else if (in.settings.post_aa == "fxaa") {
-        add_post_aa(graph, add_display(graph, mean, in.settings), picture);
+        add_post_aa(graph, add_display(graph, toned, DisplaySource::toned, in.settings), picture);
     } else {
-        add_display_to(graph, mean, in.settings, picture);
+        add_display_to(graph, toned, DisplaySource::toned, in.settings, picture);
     }
 }
 

@@ -1,7 +1,7 @@
 // Transfer functions and tone curves, each with its inverse where it has one.
 #ifndef ALPENGLOW_ENCODING_COLOR
 #define ALPENGLOW_ENCODING_COLOR
-#include "interop/language.h"
+#include "interop/display.h"
 SHADER_NAMESPACE_BEGIN
 
 // IEC 61966-2-1. Linear 0 to 1 and back.
@@ -22,6 +22,11 @@ INLINE vec3 filmic_curve(vec3 exposed) {
     float bleach = luminance / (luminance + 4.0f); // tuned: the sun's surroundings go white instead of yellow-green
     vec3 x = mix(radiance, vec3(luminance), 0.5f * bleach) * 0.6f;
     return clamp((x * (2.51f * x + vec3(0.03f))) / (x * (2.43f * x + vec3(0.59f)) + vec3(0.14f)), vec3(0.0f), vec3(1.0f));
+}
+
+// `curve` of interop/display.h.
+INLINE vec3 tone_curve(int curve, vec3 exposed) {
+    return curve == CURVE_NONE ? exposed : (curve == CURVE_FILMIC ? filmic_curve(exposed) : exponential_curve(exposed));
 }
 
 // Interleaved gradient noise (Jimenez 2014), 0 to 1, by pixel.

@@ -3,12 +3,13 @@
 #define ALPENGLOW_INTEROP_DISPLAY_H
 #include "interop/language.h"
 
-// accumulate: adds a supersample to the mean
+// accumulate: adds a supersample to two means, of its radiance and of what the tone curve makes of it
 #define ACCUMULATE_LIT_SLOT 0
-#define ACCUMULATE_MEAN_SLOT 1  // rgba32f, updated
+#define ACCUMULATE_MEAN_SLOT 1  // rgba32f, updated: linear radiance
+#define ACCUMULATE_TONED_SLOT 2 // rgba32f, updated: behind exposure and curve, 0 to 1
 
 // display: radiance to 8 bits
-#define DISPLAY_RADIANCE_SLOT 0
+#define DISPLAY_SOURCE_SLOT 0
 #define DISPLAY_PICTURE_SLOT 1  // rgba8, sRGB-encoded
 
 // post_aa: FXAA on the encoded picture
@@ -21,12 +22,15 @@
 
 #define CURVE_EXPONENTIAL 0
 #define CURVE_FILMIC 1
+#define CURVE_NONE 2 // behind the curve already
 
 SHADER_NAMESPACE_BEGIN
 
 struct AccumulatePush {
     int sample_index; // of the supersamples; 0 starts anew
     int samples;
+    float exposure;   // factor
+    int curve;        // CURVE_…
 };
 
 struct DisplayPush {

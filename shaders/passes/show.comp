@@ -28,7 +28,7 @@ vec3 encoded(vec4 texel) {
     float decades = log2(push.near_plane / max(texel.r, 1e-12)) * 0.30103;
     switch (push.scale) {
     case ENCODED: return texel.rgb;
-    case RADIANCE: return srgb_from_linear3(push.curve == CURVE_FILMIC ? filmic_curve(exposed) : exponential_curve(exposed));
+    case RADIANCE: return srgb_from_linear3(tone_curve(push.curve, exposed));
     case UNIT: return srgb_from_linear3(clamp(texel.rgb, 0.0, 1.0));
     case NORMAL: return unit_from_octahedral(texel.xy) * 0.5 + 0.5;
     case DEPTH: return texel.r > 0.0 ? scale_color((decades + 1.0) / 9.0) : vec3(0.0);

@@ -31,9 +31,9 @@ protected:
         ImageId const read = graph.import(*input, "radiance", ShowScale::radiance, true);
         ImageId const written = graph.import(picture, "picture", ShowScale::encoded, false);
         if (settings.post_aa == "fxaa") {
-            add_post_aa(graph, add_display(graph, read, settings), written);
+            add_post_aa(graph, add_display(graph, read, DisplaySource::radiance, settings), written);
         } else {
-            add_display_to(graph, read, settings, written);
+            add_display_to(graph, read, DisplaySource::radiance, settings, written);
         }
         Executor executor(device());
         executor.submit(graph);

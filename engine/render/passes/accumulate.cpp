@@ -1,15 +1,21 @@
 #include "render/passes/accumulate.h"
 
 #include "interop/display.h"
+#include "render/frame_constants.h"
 
 #include <embedded_shaders.h>
+#include <cmath>
 
 namespace alpenglow {
 
-void add_accumulate(FrameGraph& graph, ImageId lit, ImageId mean, int index, int count) {
-    Slot const target = index == 0 ? stored(ACCUMULATE_MEAN_SLOT, mean) : updated(ACCUMULATE_MEAN_SLOT, mean);
-    graph.add(ComputePass{"accumulate", shaders::accumulate_comp, {sampled(ACCUMULATE_LIT_SLOT, lit, NEAREST_CLAMP), target},
-                          graph.shape(lit).extent, bytes_of(shader::AccumulatePush{index, count})});
+ImageId add_accumulate(FrameGraph& graph, ImageId lit, ImageId mean, Settings const& settings, int index) {
+    ImageId const toned = index == 0 ? graph.add_image("toned", graph.shape(mean), ShowScale::unit) : graph.find("toned");
+    auto const target = [&](std::uint32_t slot, ImageId image) { return index == 0 ? stored(slot, image) : updated(slot, image); };
+    shader::AccumulatePush const push{index, settings.aa, static_cast<float>(std::exp2(settings.exposure)), curve_index(settings.curve)};
+    graph.add(ComputePass{"accumulate", shaders::accumulate_comp,
+                          {sampled(ACCUMULATE_LIT_SLOT, lit, NEAREST_CLAMP), target(ACCUMULATE_MEAN_SLOT, mean), target(ACCUMULATE_TONED_SLOT, toned)},
+                          graph.shape(lit).extent, bytes_of(push)});
+    return toned;
 }
 
 } // namespace alpenglow

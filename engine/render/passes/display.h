@@ -5,9 +5,15 @@
 
 namespace alpenglow {
 
-/// Radiance to display-ready 8 bits: exposure, curve, sRGB, dither; into `picture`.
-void add_display_to(FrameGraph& graph, ImageId radiance, Settings const& settings, ImageId picture);
+/// What the display pass starts from.
+enum class DisplaySource {
+    radiance, ///< linear
+    toned,    ///< behind exposure and curve
+};
+
+/// To display-ready 8 bits: exposure and curve where they are still to come, sRGB, dither; into `picture`.
+void add_display_to(FrameGraph& graph, ImageId image, DisplaySource source, Settings const& settings, ImageId picture);
 /// The same into an image of the frame.
-ImageId add_display(FrameGraph& graph, ImageId radiance, Settings const& settings);
+ImageId add_display(FrameGraph& graph, ImageId image, DisplaySource source, Settings const& settings);
 
 } // namespace alpenglow
