@@ -33,8 +33,8 @@ CLI::Option* add_value(CLI::App& app, std::string const& name, std::string const
         ->type_name(value);
 }
 
-void add_size(CLI::App& app, Extent& size) {
-    add_value(app, "--size", "WxH", [&](std::string const& t) { size = parse_size("--size", t); }, "pixels; 1280x720 unless given");
+template <typename Size> void add_size(CLI::App& app, Size& size, std::string const& otherwise = "1280x720") {
+    add_value(app, "--size", "WxH", [&](std::string const& t) { size = parse_size("--size", t); }, "pixels; " + otherwise + " unless given");
 }
 
 void add_frames(CLI::App& app, int& frames, std::string const& help) {
@@ -131,7 +131,7 @@ private:
         add_scene_option(app, "scene", fly_.scene);
         add_value(app, "--flight", "F.json", [this](std::string const& t) { fly_.flight = t; }, "flight file; the default flight unless given");
         app.add_flag("--headless", fly_.headless, "to pictures even where there is a display");
-        add_size(app, fly_.size);
+        add_size(app, fly_.size, "1280x720 in a window, 960x540 without,");
         add_frames(app, fly_.frames, "pictures of a headless flight; 24 unless given");
         add_path(app, "--out", "DIR", fly_.out, "folder of a headless flight; out/flight unless given");
         add_draw_options(app, fly_);

@@ -7,7 +7,7 @@ namespace alpenglow {
 
 int fly(FlyOptions const& options) {
     Flight const flight = load_flight(options.flight.value_or(assets_folder() / "flights/valley_to_orbit.json"));
-    std::unique_ptr<Window> const window = options.headless ? nullptr : Window::open(options.size, "Alpenglow");
+    std::unique_ptr<Window> const window = options.headless ? nullptr : Window::open(options.size.value_or(Extent{1280, 720}), "Alpenglow");
     if (window) {
         fly_in_window(options, flight, *window);
     } else {

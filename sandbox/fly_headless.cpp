@@ -20,7 +20,8 @@ std::string altitude_text(double metres) { return metres < 10000 ? fmt::format("
 void fly_headless(FlyOptions const& options, Flight const& flight) {
     require_writable_folder(options.out);
     Stage stage(options);
-    ContactSheet sheet(static_cast<std::size_t>(options.frames), options.size);
+    Extent const size = options.size.value_or(Extent{960, 540});
+    ContactSheet sheet(static_cast<std::size_t>(options.frames), size);
     Progress progress("flying", static_cast<std::size_t>(options.frames));
     for (int i = 0; i < options.frames; ++i) {
         double const time = options.frames > 1 ? flight.duration() * i / (options.frames - 1) : 0.0;
@@ -28,7 +29,7 @@ void fly_headless(FlyOptions const& options, Flight const& flight) {
         std::string const altitude = altitude_text(view.camera.place.altitude);
         progress.update(static_cast<std::size_t>(i), altitude);
         World const world = stage.prepare(view);
-        stage.draw(view, world, options.size);
+        stage.draw(view, world, size);
         ByteImage const picture = stage.renderer().picture();
         write_png(options.out / fmt::format("frame_{:04}.png", i), picture);
         sheet.add(picture, fmt::format("{:.1f} s  {}", time, altitude));
