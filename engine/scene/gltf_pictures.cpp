@@ -1,6 +1,7 @@
 #include "scene/gltf_pictures.h"
 
 #include "core/error.h"
+#include "core/parallel.h"
 #include "image/codec.h"
 #include "scene/gltf_resources.h"
 
@@ -45,8 +46,7 @@ ByteImage decode(std::vector<std::byte> const& bytes, std::string const& pointer
     }
 }
 
-Picture load_picture(Document const& document, std::size_t index, int largest, Report& report) {
-    ByteImage image = decode(read_image_bytes(document, index, report), "/images/" + std::to_string(index), report);
+Picture scaled_picture(ByteImage image, Document const& document, std::size_t index, int largest, Report& report) {
     Extent const stored = image.extent;
     auto const limit = static_cast<std::uint32_t>(std::max(largest, 1));
     while (std::max(image.extent.width, image.extent.height) > limit) image = halved(image);
@@ -58,23 +58,38 @@ Picture load_picture(Document const& document, std::size_t index, int largest, R
     return {document.images[index].name, image.extent.width, image.extent.height, std::move(image.rgba)};
 }
 
-} // namespace
-
-std::vector<Picture> load_pictures(Document const& document, std::vector<Material>& materials, int largest, Report& report) {
-    std::vector<Picture> pictures;
-    std::vector<std::uint32_t> numbers(document.images.size(), Texture::none);
+/// Numbers the images that any material uses by their first use, writes the numbers into the textures, and gives the images.
+std::vector<std::size_t> number_pictures(std::vector<Material>& materials, std::size_t images) {
+    std::vector<std::size_t> used;
+    std::vector<std::uint32_t> numbers(images, Texture::none);
     for (Material& material : materials) {
         for (Texture* const texture : {&material.base_color_texture, &material.metallic_roughness_texture, &material.normal_texture,
                                        &material.occlusion_texture, &material.emission_texture}) {
             if (!*texture) continue;
             std::uint32_t& number = numbers[texture->picture];
             if (number == Texture::none) {
-                number = static_cast<std::uint32_t>(pictures.size());
-                pictures.push_back(load_picture(document, texture->picture, largest, report));
+                number = static_cast<std::uint32_t>(used.size());
+                used.push_back(texture->picture);
             }
             texture->picture = number;
         }
     }
+    return used;
+}
+
+} // namespace
+
+std::vector<Picture> load_pictures(Document const& document, std::vector<Material>& materials, int largest, Report& report) {
+    std::vector<std::size_t> const used = number_pictures(materials, document.images.size());
+    std::vector<std::vector<std::byte>> files;
+    for (std::size_t index : used) files.push_back(read_image_bytes(document, index, report));
+    std::vector<ByteImage> images(used.size());
+    parallel_for(static_cast<int>(used.size()), 0, [&](int i) {
+        auto const n = static_cast<std::size_t>(i);
+        images[n] = decode(files[n], "/images/" + std::to_string(used[n]), report);
+    });
+    std::vector<Picture> pictures;
+    for (std::size_t i = 0; i < used.size(); ++i) pictures.push_back(scaled_picture(std::move(images[i]), document, used[i], largest, report));
     return pictures;
 }
 

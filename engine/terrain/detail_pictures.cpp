@@ -1,7 +1,7 @@
 #include "terrain/detail_pictures.h"
 
 #include "terrain/noise.h"
-#include "terrain/parallel.h"
+#include "core/parallel.h"
 #include "terrain/tiles.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include "terrain/flow.h"
 #include "terrain/noise.h"
-#include "terrain/parallel.h"
+#include "core/parallel.h"
 
 #include <algorithm>
 #include <cmath>

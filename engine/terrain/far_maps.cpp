@@ -2,7 +2,7 @@
 
 #include "image/color.h"
 #include "terrain/ground.h"
-#include "terrain/parallel.h"
+#include "core/parallel.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #include "terrain/flow.h"
 
 #include "terrain/noise.h"
-#include "terrain/parallel.h"
+#include "core/parallel.h"
 
 #include <array>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "terrain/sites.h"
 
-#include "terrain/parallel.h"
+#include "core/parallel.h"
 
 #include <algorithm>
 #include <cmath>

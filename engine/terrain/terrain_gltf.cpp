@@ -1,7 +1,7 @@
 #include "terrain/terrain_gltf.h"
 
 #include "image/codec.h"
-#include "terrain/parallel.h"
+#include "core/parallel.h"
 
 #include <array>
 #include <cstddef>
