@@ -46,7 +46,8 @@ double radians(double degrees) { return degrees * (M_PI / 180); }
 
 double parse_number(std::string_view option, std::string_view text, double smallest, double largest) {
     auto const value = whole_text<double>(text);
-    if (!finite_within(value, smallest, largest)) refuse(option, text, fmt::format("a number from {} to {}", smallest, largest));
+    if (!finite_within(value, smallest, largest))
+        refuse(option, text, fmt::format("a number from {} to {}", smallest, largest));
     return *value;
 }
 
@@ -66,7 +67,8 @@ Extent parse_size(std::string_view option, std::string_view text) {
     };
     Extent const extent = parts.size() == 2 ? Extent{side(parts[0]), side(parts[1])} : Extent{};
     if (extent.pixels() == 0) {
-        refuse(option, text, fmt::format("WIDTHxHEIGHT such as 1280x720, each from {} to {}", SMALLEST_SIDE, LARGEST_SIDE));
+        refuse(option, text,
+               fmt::format("WIDTHxHEIGHT such as 1280x720, each from {} to {}", SMALLEST_SIDE, LARGEST_SIDE));
     }
     return extent;
 }
@@ -74,8 +76,8 @@ Extent parse_size(std::string_view option, std::string_view text) {
 Geodetic parse_place(std::string_view option, std::string_view text) {
     auto const parts = split(text, ',');
     auto const number = [&](std::size_t i) { return i < parts.size() ? whole_text<double>(parts[i]) : 0.0; };
-    if (parts.size() < 2 || parts.size() > 3 || !finite_within(number(0), -90, 90) || !finite_within(number(1), -180, 360) ||
-        !finite_within(number(2), -LARGEST_ALTITUDE, LARGEST_ALTITUDE)) {
+    if (parts.size() < 2 || parts.size() > 3 || !finite_within(number(0), -90, 90) ||
+        !finite_within(number(1), -180, 360) || !finite_within(number(2), -LARGEST_ALTITUDE, LARGEST_ALTITUDE)) {
         refuse(option, text, "LATITUDE,LONGITUDE[,ALTITUDE] in degrees and metres, such as 46.5,8.0,1200");
     }
     return {radians(*number(0)), radians(*number(1)), *number(2)};

@@ -7,8 +7,8 @@
 
 namespace alpenglow {
 
-/// Texts of the command line as values. Each takes the whole text or throws Error(wrong_use), which names `option`, says what
-/// was given and what is wanted. The locale plays no part.
+/// Texts of the command line as values. Each takes the whole text or throws Error(wrong_use), which names `option`,
+/// says what was given and what is wanted. The locale plays no part.
 
 /// A finite number from `smallest` to `largest`.
 double parse_number(std::string_view option, std::string_view text, double smallest, double largest);

@@ -55,33 +55,43 @@ ViewTimes measure(Stage& stage, View const& view, BenchOptions const& options, P
         auto const start = std::chrono::steady_clock::now();
         stage.draw(view, world, options.size);
         stage.renderer().wait();
-        double const elapsed = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+        double const elapsed =
+            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
         if (i < WARM_UP) continue;
         std::vector<PassTime> const& times = stage.renderer().timings();
         frame.push_back(elapsed);
         cpu.push_back(sum(times, &PassTime::cpu_ms));
         note_passes(passes, times);
     }
-    ViewTimes result{view.name, median(frame), median(cpu), static_cast<double>(stage.device().peak_memory()) / (1 << 20), {}};
+    ViewTimes result{
+        view.name, median(frame), median(cpu), static_cast<double>(stage.device().peak_memory()) / (1 << 20), {}};
     for (PassSamples const& pass : passes) result.passes.emplace_back(pass.name, median(pass.gpu_ms));
     return result;
 }
 
 void print_json(Stage const& stage, Extent size, std::vector<ViewTimes> const& views) {
-    nlohmann::ordered_json json{{"device", stage.device().name()}, {"driver", stage.device().driver()},
-                                {"size", fmt::format("{}x{}", size.width, size.height)}, {"views", nlohmann::ordered_json::array()}};
+    nlohmann::ordered_json json{{"device", stage.device().name()},
+                                {"driver", stage.device().driver()},
+                                {"size", fmt::format("{}x{}", size.width, size.height)},
+                                {"views", nlohmann::ordered_json::array()}};
     for (ViewTimes const& view : views) {
         nlohmann::ordered_json passes = nlohmann::ordered_json::array();
         for (auto const& [name, ms] : view.passes) passes.push_back({{"name", name}, {"gpu_ms", ms}});
-        json["views"].push_back({{"view", view.view}, {"frame_ms", view.frame_ms}, {"cpu_ms", view.cpu_ms}, {"peak_mib", view.peak_mib}, {"passes", passes}});
+        json["views"].push_back({{"view", view.view},
+                                 {"frame_ms", view.frame_ms},
+                                 {"cpu_ms", view.cpu_ms},
+                                 {"peak_mib", view.peak_mib},
+                                 {"passes", passes}});
     }
     fmt::print("{}\n", json.dump(2));
 }
 
 void print_table(Stage const& stage, BenchOptions const& options, std::vector<ViewTimes> const& views) {
-    fmt::print("{} ({}), {}x{}, median of {} frames\n", stage.device().name(), stage.device().driver(), options.size.width, options.size.height, options.frames);
+    fmt::print("{} ({}), {}x{}, median of {} frames\n", stage.device().name(), stage.device().driver(),
+               options.size.width, options.size.height, options.frames);
     for (ViewTimes const& view : views) {
-        fmt::print("{}: {:.1f} ms a frame, {:.2f} ms of it on the CPU, device memory at most {:.0f} MiB\n", view.view, view.frame_ms, view.cpu_ms, view.peak_mib);
+        fmt::print("{}: {:.1f} ms a frame, {:.2f} ms of it on the CPU, device memory at most {:.0f} MiB\n", view.view,
+                   view.frame_ms, view.cpu_ms, view.peak_mib);
         for (auto const& [name, ms] : view.passes) fmt::print("  {:<22} {:9.3f} ms\n", name, ms);
     }
 }
@@ -99,8 +109,10 @@ int bench(BenchOptions const& options) {
     for (View const& view : views) times.push_back(measure(stage, stage.dressed(view), options, progress, done));
     progress.update(total);
     stage.require_no_messages();
-    if (options.json) print_json(stage, options.size, times);
-    else print_table(stage, options, times);
+    if (options.json)
+        print_json(stage, options.size, times);
+    else
+        print_table(stage, options, times);
     return 0;
 }
 

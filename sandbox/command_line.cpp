@@ -16,8 +16,10 @@ namespace {
 
 using Take = std::function<void(std::string const&)>;
 
-/// An option with one value; what follows it on the command line is that value even where it begins with '-', as -45.5,7 does.
-CLI::Option* add_value(CLI::App& app, std::string const& name, std::string const& value, Take take, std::string const& help) {
+/// An option with one value; what follows it on the command line is that value even where it begins with '-', as
+/// -45.5,7 does.
+CLI::Option* add_value(CLI::App& app, std::string const& name, std::string const& value, Take take,
+                       std::string const& help) {
     return app
         .add_option_function<std::vector<std::string>>(
             name,
@@ -34,50 +36,71 @@ CLI::Option* add_value(CLI::App& app, std::string const& name, std::string const
 }
 
 template <typename Size> void add_size(CLI::App& app, Size& size, std::string const& otherwise = "1280x720") {
-    add_value(app, "--size", "WxH", [&](std::string const& t) { size = parse_size("--size", t); }, "pixels; " + otherwise + " unless given");
+    add_value(
+        app, "--size", "WxH", [&](std::string const& t) { size = parse_size("--size", t); },
+        "pixels; " + otherwise + " unless given");
 }
 
 void add_frames(CLI::App& app, int& frames, std::string const& help) {
-    add_value(app, "--frames", "N", [&](std::string const& t) { frames = static_cast<int>(parse_integer("--frames", t, 1, 100'000)); },
-              help);
+    add_value(
+        app, "--frames", "N",
+        [&](std::string const& t) { frames = static_cast<int>(parse_integer("--frames", t, 1, 100'000)); }, help);
 }
 
-void add_path(CLI::App& app, std::string const& name, std::string const& value, std::filesystem::path& path, std::string const& help) {
-    add_value(app, name, value, [&](std::string const& t) { path = t; }, help);
+void add_path(CLI::App& app, std::string const& name, std::string const& value, std::filesystem::path& path,
+              std::string const& help) {
+    add_value(
+        app, name, value, [&](std::string const& t) { path = t; }, help);
 }
 
 void add_views(CLI::App& app, std::vector<std::filesystem::path>& views) {
     app.add_option_function<std::vector<std::string>>(
-           "VIEW.json", [&](std::vector<std::string> const& given) { views.assign(given.begin(), given.end()); }, "view files, JSON")
+           "VIEW.json", [&](std::vector<std::string> const& given) { views.assign(given.begin(), given.end()); },
+           "view files, JSON")
         ->required()
         ->type_name("FILE");
 }
 
 void add_placement(CLI::App& app, PlacementOptions& placement) {
-    add_value(app, "--at", "LAT,LON[,ALT]", [&](std::string const& t) { placement.at = parse_place("--at", t); },
-              "where the scene's origin stands [degrees, metres]");
-    add_value(app, "--yaw", "DEGREES", [&](std::string const& t) { placement.yaw = parse_number("--yaw", t, -360, 360) * M_PI / 180; },
-              "turns the scene clockwise seen from above");
-    add_value(app, "--scale", "FACTOR", [&](std::string const& t) { placement.scale = parse_number("--scale", t, 1e-6, 1e6); },
-              "scales the scene");
+    add_value(
+        app, "--at", "LAT,LON[,ALT]", [&](std::string const& t) { placement.at = parse_place("--at", t); },
+        "where the scene's origin stands [degrees, metres]");
+    add_value(
+        app, "--yaw", "DEGREES",
+        [&](std::string const& t) { placement.yaw = parse_number("--yaw", t, -360, 360) * M_PI / 180; },
+        "turns the scene clockwise seen from above");
+    add_value(
+        app, "--scale", "FACTOR",
+        [&](std::string const& t) { placement.scale = parse_number("--scale", t, 1e-6, 1e6); }, "scales the scene");
     app.add_flag("--curve", placement.curve, "bends a terrain made for a flat map to the planet");
 }
 
 void add_draw_options(CLI::App& app, DrawOptions& options) {
-    add_value(app, "--planet", "P", [&](std::string const& t) { options.planet = t; }, "name in assets/planets, or a file");
+    add_value(
+        app, "--planet", "P", [&](std::string const& t) { options.planet = t; }, "name in assets/planets, or a file");
     add_placement(app, options.placement);
-    add_value(app, "--set", "NAME=VALUE", [&](std::string const& t) { options.overrides.push_back(parse_override("--set", t)); },
-              "a setting, in place of the file's; may be repeated")
+    add_value(
+        app, "--set", "NAME=VALUE",
+        [&](std::string const& t) { options.overrides.push_back(parse_override("--set", t)); },
+        "a setting, in place of the file's; may be repeated")
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    add_value(app, "--show", "NAME", [&](std::string const& t) { options.overrides.push_back({"show", t}); },
-              "an image of the frame in place of the result");
-    add_value(app, "--device", "N", [&](std::string const& t) { options.device = static_cast<int>(parse_integer("--device", t, 0, 63)); },
-              "device by its number in `alpenglow devices`");
+    add_value(
+        app, "--show", "NAME",
+        [&](std::string const& t) {
+            options.overrides.push_back({"show", t});
+        },
+        "an image of the frame in place of the result");
+    add_value(
+        app, "--device", "N",
+        [&](std::string const& t) { options.device = static_cast<int>(parse_integer("--device", t, 0, 63)); },
+        "device by its number in `alpenglow devices`");
     app.add_flag("--validate", options.validate, "check every Vulkan call; slow");
 }
 
 void add_scene_option(CLI::App& app, std::string const& name, std::optional<std::string>& scene) {
-    add_value(app, name, "SCENE", [&](std::string const& t) { scene = t; }, "glTF file, or 'default' for the generated terrain");
+    add_value(
+        app, name, "SCENE", [&](std::string const& t) { scene = t; },
+        "glTF file, or 'default' for the generated terrain");
 }
 
 /// The program's arguments, one subcommand for each command, and what they say.
@@ -129,7 +152,9 @@ private:
     void add_fly() {
         CLI::App& app = *app_.add_subcommand("fly", "Flies: in a window where there is a display, else to pictures");
         add_scene_option(app, "scene", fly_.scene);
-        add_value(app, "--flight", "F.json", [this](std::string const& t) { fly_.flight = t; }, "flight file; the default flight unless given");
+        add_value(
+            app, "--flight", "F.json", [this](std::string const& t) { fly_.flight = t; },
+            "flight file; the default flight unless given");
         app.add_flag("--headless", fly_.headless, "to pictures even where there is a display");
         add_size(app, fly_.size, "1280x720 in a window, 960x540 without,");
         add_frames(app, fly_.frames, "pictures of a headless flight; 24 unless given");
@@ -144,8 +169,10 @@ private:
         add_scene_option(app, "--scene", render_.scene);
         add_size(app, render_.size);
         add_path(app, "--out", "DIR", render_.out, "folder; out/render unless given");
-        add_value(app, "--format", "png|exr|png,exr", [this](std::string const& t) { set_formats(parse_formats("--format", t)); },
-                  "png as displayed, exr linear radiance in 32-bit float; png unless given");
+        add_value(
+            app, "--format", "png|exr|png,exr",
+            [this](std::string const& t) { set_formats(parse_formats("--format", t)); },
+            "png as displayed, exr linear radiance in 32-bit float; png unless given");
         add_draw_options(app, render_);
         app.callback([this] { command_ = render_; });
     }
@@ -156,14 +183,25 @@ private:
         CLI::App& app = *app_.add_subcommand("terrain", "Writes an alpine glTF terrain, the same for the same options");
         TerrainOptions& t = terrain_.terrain;
         constexpr long largest_seed = std::numeric_limits<std::uint32_t>::max();
-        add_value(app, "--seed", "N", [&t](std::string const& s) { t.seed = static_cast<std::uint32_t>(parse_integer("--seed", s, 0, largest_seed)); },
-                  "1 unless given");
-        add_value(app, "--side", "KM", [&t](std::string const& s) { t.side_km = parse_number("--side", s, 1, 1000); }, "side in km; 96 unless given");
-        add_value(app, "--resolution", "N", [&t](std::string const& s) { t.resolution = static_cast<int>(parse_integer("--resolution", s, 64, 8192)); },
-                  "cells along a side of the eroded height field; 1024 unless given");
-        add_value(app, "--erosion", "STRENGTH", [&t](std::string const& s) { t.erosion = parse_number("--erosion", s, 0, 4); },
-                  "0 none, 1 alpine; 1 unless given");
-        add_path(app, "--out", "FILE", terrain_.out, ".gltf (with its files beside it) or .glb; out/terrain/terrain.gltf unless given");
+        add_value(
+            app, "--seed", "N",
+            [&t](std::string const& s) {
+                t.seed = static_cast<std::uint32_t>(parse_integer("--seed", s, 0, largest_seed));
+            },
+            "1 unless given");
+        add_value(
+            app, "--side", "KM", [&t](std::string const& s) { t.side_km = parse_number("--side", s, 1, 1000); },
+            "side in km; 96 unless given");
+        add_value(
+            app, "--resolution", "N",
+            [&t](std::string const& s) { t.resolution = static_cast<int>(parse_integer("--resolution", s, 64, 8192)); },
+            "cells along a side of the eroded height field; 1024 unless given");
+        add_value(
+            app, "--erosion", "STRENGTH",
+            [&t](std::string const& s) { t.erosion = parse_number("--erosion", s, 0, 4); },
+            "0 none, 1 alpine; 1 unless given");
+        add_path(app, "--out", "FILE", terrain_.out,
+                 ".gltf (with its files beside it) or .glb; out/terrain/terrain.gltf unless given");
         app.callback([this] { command_ = terrain_; });
     }
 
@@ -201,7 +239,8 @@ std::vector<std::string> with_repeated_set(std::span<std::string const> argument
 
 void require_gltf_name(std::filesystem::path const& file) {
     if (file.extension() == ".gltf" || file.extension() == ".glb") return;
-    throw Error(ErrorKind::wrong_use, "--out '" + file.string() + "' can't be used", {}, "give a file that ends in .gltf or .glb");
+    throw Error(ErrorKind::wrong_use, "--out '" + file.string() + "' can't be used", {},
+                "give a file that ends in .gltf or .glb");
 }
 
 } // namespace

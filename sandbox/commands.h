@@ -47,7 +47,8 @@ struct DrawOptions {
 struct FlyOptions : DrawOptions {
     std::optional<std::filesystem::path> flight;
     bool headless = false;
-    std::optional<Extent> size; ///< else 1280x720 in a window, 960x540 without: the flight is to be done within two minutes on two cores
+    std::optional<Extent>
+        size; ///< else 1280x720 in a window, 960x540 without: the flight is to be done within two minutes on two cores
     int frames = 24;
     std::filesystem::path out = "out/flight";
 };

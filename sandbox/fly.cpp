@@ -18,7 +18,8 @@ Flight for_a_window(Flight flight) {
 
 int fly(FlyOptions const& options) {
     Flight const flight = load_flight(options.flight.value_or(assets_folder() / "flights/valley_to_orbit.json"));
-    std::unique_ptr<Window> const window = options.headless ? nullptr : Window::open(options.size.value_or(Extent{1280, 720}), "Alpenglow");
+    std::unique_ptr<Window> const window =
+        options.headless ? nullptr : Window::open(options.size.value_or(Extent{1280, 720}), "Alpenglow");
     if (window) {
         fly_in_window(options, for_a_window(flight), *window);
     } else {

@@ -13,7 +13,9 @@ namespace alpenglow {
 
 namespace {
 
-std::string altitude_text(double metres) { return metres < 10000 ? fmt::format("{:.0f} m", metres) : fmt::format("{:.0f} km", metres / 1000); }
+std::string altitude_text(double metres) {
+    return metres < 10000 ? fmt::format("{:.0f} m", metres) : fmt::format("{:.0f} km", metres / 1000);
+}
 
 } // namespace
 

@@ -19,10 +19,10 @@ namespace alpenglow {
 namespace {
 
 constexpr std::uint32_t FRAMES_IN_FLIGHT = 2;
-constexpr double IDLE_PATIENCE = 0.1;   // [s] between looks at a picture that stands still
-constexpr double MESSAGE_TIME = 5;      // [s]
-constexpr double JITTER = 16;           // [screen units] a mouse that moves less from its place was only touched
-constexpr double WHEEL_ZOOM = 0.9;      // of the field of view, for a notch
+constexpr double IDLE_PATIENCE = 0.1; // [s] between looks at a picture that stands still
+constexpr double MESSAGE_TIME = 5;    // [s]
+constexpr double JITTER = 16;         // [screen units] a mouse that moves less from its place was only touched
+constexpr double WHEEL_ZOOM = 0.9;    // of the field of view, for a notch
 char const* const SAVED_VIEWS = "out/views";
 char const* const HINT = "Any key or the mouse takes over; H shows the keys";
 
@@ -31,8 +31,9 @@ double seconds() { return std::chrono::duration<double>(std::chrono::steady_cloc
 class WindowFlight {
 public:
     WindowFlight(FlyOptions const& options, Flight const& flight, Window& window)
-        : window_(window), stage_(options, window.device_options(), FRAMES_IN_FLIGHT), panel_(window), pilot_(stage_, flight),
-          overlay_(stage_.device(), Panel::texture(), FRAMES_IN_FLIGHT), swapchain_(stage_.device(), window.framebuffer(), FRAMES_IN_FLIGHT) {
+        : window_(window), stage_(options, window.device_options(), FRAMES_IN_FLIGHT), panel_(window),
+          pilot_(stage_, flight), overlay_(stage_.device(), Panel::texture(), FRAMES_IN_FLIGHT),
+          swapchain_(stage_.device(), window.framebuffer(), FRAMES_IN_FLIGHT) {
         stage_.follow_ground();
         world_ = stage_.prepare(pilot_.view());
         then_ = seconds();
@@ -70,14 +71,14 @@ private:
     PictureReport report_;
     OverlayMesh mesh_;
 
-    double then_ = 0;              ///< [s] when the last step began
-    glm::dvec2 mouse_path_{0};     ///< since the start
-    bool looking_ = false;         ///< a button that went down on the picture is held
+    double then_ = 0;          ///< [s] when the last step began
+    glm::dvec2 mouse_path_{0}; ///< since the start
+    bool looking_ = false;     ///< a button that went down on the picture is held
     bool stale_swapchain_ = false;
-    std::string drawn_;            ///< the view of the picture, as text: the same text is the same picture
-    bool moving_ = true;           ///< the view is another one than in the last step
+    std::string drawn_;  ///< the view of the picture, as text: the same text is the same picture
+    bool moving_ = true; ///< the view is another one than in the last step
     std::string message_;
-    double message_end_ = 0;       ///< [s]
+    double message_end_ = 0; ///< [s]
 };
 
 void WindowFlight::step() {
@@ -100,7 +101,8 @@ void WindowFlight::step() {
 }
 
 bool WindowFlight::fit_window(WindowEvents const& events) {
-    if (events.resized || stale_swapchain_ || swapchain_.extent().pixels() == 0) swapchain_.resize(window_.framebuffer());
+    if (events.resized || stale_swapchain_ || swapchain_.extent().pixels() == 0)
+        swapchain_.resize(window_.framebuffer());
     stale_swapchain_ = false;
     return swapchain_.extent().pixels() > 0;
 }
@@ -118,7 +120,8 @@ void WindowFlight::steer(WindowEvents const& events, double dt) {
         FlyInput const held = held_input(window_, events, dt);
         input.move = held.move, input.roll = held.roll, input.boost = held.boost;
     }
-    if (events.wheel != 0 && !panel_.wants_mouse()) pilot_.set_vertical_fov(pilot_.view().camera.vertical_fov * std::pow(WHEEL_ZOOM, events.wheel));
+    if (events.wheel != 0 && !panel_.wants_mouse())
+        pilot_.set_vertical_fov(pilot_.view().camera.vertical_fov * std::pow(WHEEL_ZOOM, events.wheel));
     pilot_.advance(dt, input);
 }
 
@@ -217,6 +220,8 @@ std::string WindowFlight::message() const {
 
 } // namespace
 
-void fly_in_window(FlyOptions const& options, Flight const& flight, Window& window) { WindowFlight(options, flight, window).run(); }
+void fly_in_window(FlyOptions const& options, Flight const& flight, Window& window) {
+    WindowFlight(options, flight, window).run();
+}
 
 } // namespace alpenglow

@@ -7,8 +7,8 @@ namespace alpenglow {
 
 namespace {
 
-constexpr double ROLL_RATE = 0.8;  // [rad/s]
-constexpr double BOOST = 8;        // of the speed, with Shift
+constexpr double ROLL_RATE = 0.8; // [rad/s]
+constexpr double BOOST = 8;       // of the speed, with Shift
 
 void flip(bool& setting) { setting = !setting; }
 
@@ -49,14 +49,18 @@ constexpr std::array ROWS = {
     KeyRow{"; '", "sun: 5 days back, on (Shift: 30)", '\'', ';',
            [](KeyTarget& t, int direction, bool shift) { t.pilot.add_sun_days(direction * (shift ? 30 : 5)); }},
     KeyRow{"- =", "exposure: a quarter stop down, up (Shift: one)", '=', '-',
-           [](KeyTarget& t, int direction, bool shift) { change_exposure(t.pilot.settings(), direction * (shift ? 1 : 0.25)); }},
+           [](KeyTarget& t, int direction, bool shift) {
+               change_exposure(t.pilot.settings(), direction * (shift ? 1 : 0.25));
+           }},
     KeyRow{"1", "air on, off", '1', 0, [](KeyTarget& t, int, bool) { flip(t.pilot.settings().air); }},
     KeyRow{"2", "light shafts on, off", '2', 0, [](KeyTarget& t, int, bool) { flip(t.pilot.settings().shafts); }},
     KeyRow{"3", "shadows on, off", '3', 0, [](KeyTarget& t, int, bool) { flip(t.pilot.settings().shadows); }},
     KeyRow{"4", "antialiasing filter on, off", '4', 0, flip_post_aa},
     KeyRow{"C", "which cascade shades what", 'C', 0, show_cascades},
-    KeyRow{"I O", "the next, the previous image of the frame", 'I', 'O', [](KeyTarget& t, int direction, bool) { cycle_images(t, direction); }},
-    KeyRow{"P or F2", "save the picture and its view file", 'P', key::F2, [](KeyTarget& t, int, bool) { t.screen.save = true; }},
+    KeyRow{"I O", "the next, the previous image of the frame", 'I', 'O',
+           [](KeyTarget& t, int direction, bool) { cycle_images(t, direction); }},
+    KeyRow{"P or F2", "save the picture and its view file", 'P', key::F2,
+           [](KeyTarget& t, int, bool) { t.screen.save = true; }},
     KeyRow{"Tab", "panel", key::TAB, 0, [](KeyTarget& t, int, bool) { flip(t.screen.panel); }},
     KeyRow{"H or F1", "this help", 'H', key::F1, [](KeyTarget& t, int, bool) { flip(t.screen.help); }},
     KeyRow{"Esc", "leave"},
@@ -76,7 +80,9 @@ void act_on_keys(KeyTarget target, std::vector<int> const& pressed, bool shift) 
 
 FlyInput held_input(Window const& window, WindowEvents const& events, double dt) {
     // A tap within one slow frame is over before anyone looks.
-    auto const held = [&](int key) { return window.is_down(key) || std::ranges::find(events.pressed, key) != events.pressed.end(); };
+    auto const held = [&](int key) {
+        return window.is_down(key) || std::ranges::find(events.pressed, key) != events.pressed.end();
+    };
     auto const axis = [&](int more, int less) { return double(held(more)) - double(held(less)); };
     FlyInput input;
     input.move = {axis('D', 'A'), axis('E', 'Q'), axis('W', 'S')};

@@ -13,16 +13,18 @@ namespace {
 
 using namespace alpenglow;
 
-template <class... Ts> struct Overloaded : Ts... {
-    using Ts::operator()...;
-};
+template <class... Ts> struct Overloaded : Ts... { using Ts::operator()...; };
 
 int run(Command const& command) {
-    return std::visit(Overloaded{[](TextToPrint const& o) { std::fputs(o.text.c_str(), stdout); return 0; },
-                                 [](FlyOptions const& o) { return fly(o); }, [](RenderOptions const& o) { return render(o); },
-                                 [](TerrainCommandOptions const& o) { return terrain(o); },
-                                 [](BenchOptions const& o) { return bench(o); }, [](DevicesOptions const& o) { return devices(o); }},
-                      command);
+    return std::visit(
+        Overloaded{[](TextToPrint const& o) {
+                       std::fputs(o.text.c_str(), stdout);
+                       return 0;
+                   },
+                   [](FlyOptions const& o) { return fly(o); }, [](RenderOptions const& o) { return render(o); },
+                   [](TerrainCommandOptions const& o) { return terrain(o); },
+                   [](BenchOptions const& o) { return bench(o); }, [](DevicesOptions const& o) { return devices(o); }},
+        command);
 }
 
 /// A wrong setting is found here, before anything is loaded.
@@ -40,7 +42,8 @@ void check_overrides(Command const& command) {
 /// What was printed may still wait in a buffer.
 void require_printed() {
     if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return;
-    throw Error(ErrorKind::bad_input, std::string("can't be written: ") + std::strerror(errno), "standard output", "free some space, or write elsewhere");
+    throw Error(ErrorKind::bad_input, std::string("can't be written: ") + std::strerror(errno), "standard output",
+                "free some space, or write elsewhere");
 }
 
 int report(char const* line, int exit_code) {

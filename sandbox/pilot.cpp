@@ -7,13 +7,14 @@ namespace alpenglow {
 namespace {
 
 /// FlyCamera keeps 1 m from what it takes for the ground; eyes are higher.
-constexpr double EYES = 1; // [m]
-constexpr double LONGEST_STEP = 0.25; // [s] a slow frame does not throw the camera over the next ridge
+constexpr double EYES = 1;                       // [m]
+constexpr double LONGEST_STEP = 0.25;            // [s] a slow frame does not throw the camera over the next ridge
 constexpr double NARROWEST = 0.02, WIDEST = 2.1; // [rad]
 
 } // namespace
 
-Pilot::Pilot(Stage& stage, Flight flight) : stage_(stage), flight_(std::move(flight)), view_(stage.dressed(flight_.at(0))) {}
+Pilot::Pilot(Stage& stage, Flight flight)
+    : stage_(stage), flight_(std::move(flight)), view_(stage.dressed(flight_.at(0))) {}
 
 void Pilot::take_over() {
     if (user_flies()) return;
@@ -62,7 +63,9 @@ void Pilot::set_vertical_fov(double fov) {
 
 double Pilot::planet_radius() const { return stage_.planet().radius; }
 
-double Pilot::ground_altitude() const { return stage_.ground_altitude(world_from_geodetic(view_.camera.place, planet_radius())); }
+double Pilot::ground_altitude() const {
+    return stage_.ground_altitude(world_from_geodetic(view_.camera.place, planet_radius()));
+}
 
 double Pilot::lowest() const { return stage_.ground_altitude(camera_->camera().position) + EYES; }
 

@@ -8,8 +8,8 @@
 
 namespace alpenglow {
 
-/// What share of the window's width and height a picture is drawn with: all of it while it stands still; while it moves as
-/// much as the device draws in time. Few steps, with a dead band between them, so that the size does not flicker.
+/// What share of the window's width and height a picture is drawn with: all of it while it stands still; while it moves
+/// as much as the device draws in time. Few steps, with a dead band between them, so that the size does not flicker.
 class RenderScale {
 public:
     static constexpr double BUDGET_MS = 100;
@@ -33,7 +33,9 @@ private:
 };
 
 inline Extent scaled(Extent extent, double share) {
-    auto const side = [share](std::uint32_t whole) { return std::max(1u, static_cast<std::uint32_t>(std::lround(whole * share))); };
+    auto const side = [share](std::uint32_t whole) {
+        return std::max(1u, static_cast<std::uint32_t>(std::lround(whole * share)));
+    };
     return {side(extent.width), side(extent.height)};
 }
 

@@ -55,8 +55,11 @@ struct Widget {
     bool edit(double& value) const {
         bool const logarithmic = info.smallest > 0 && info.largest / info.smallest > 100;
         std::string const format = "%.6g " + std::string(info.unit);
-        if (logarithmic) return ImGui::SliderScalar(label, ImGuiDataType_Double, &value, &info.smallest, &info.largest, format.c_str(), ImGuiSliderFlags_Logarithmic);
-        return ImGui::DragScalar(label, ImGuiDataType_Double, &value, 0.02f, &info.smallest, &info.largest, format.c_str());
+        if (logarithmic)
+            return ImGui::SliderScalar(label, ImGuiDataType_Double, &value, &info.smallest, &info.largest,
+                                       format.c_str(), ImGuiSliderFlags_Logarithmic);
+        return ImGui::DragScalar(label, ImGuiDataType_Double, &value, 0.02f, &info.smallest, &info.largest,
+                                 format.c_str());
     }
 
     bool edit(std::string& value) const {
@@ -77,7 +80,8 @@ void edit_settings(Settings& settings, std::span<std::string const> images) {
         SettingValue value = get_setting(settings, info);
         Widget const widget{info, label.c_str(), images};
         bool const changed = std::visit([&](auto& plain) { return widget.edit(plain); }, value);
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s (%s)", std::string(info.help).c_str(), range_text(info).c_str());
+        if (ImGui::IsItemHovered())
+            ImGui::SetTooltip("%s (%s)", std::string(info.help).c_str(), range_text(info).c_str());
         // Typed numbers may be out of range; they are not taken.
         if (changed && in_range(info, value)) set_setting(settings, info, value);
     }

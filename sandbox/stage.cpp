@@ -19,8 +19,9 @@ DeviceOptions device_options(DrawOptions const& options, DeviceOptions device) {
 }
 
 std::string scene_key(View const& view, Placement const& placement) {
-    return fmt::format("{} {} {} {} {} {} {} {}", view.scene, placement.anchor.latitude, placement.anchor.longitude, placement.anchor.altitude,
-                       placement.yaw, placement.scale, placement.curve, view.settings.largest_texture);
+    return fmt::format("{} {} {} {} {} {} {} {}", view.scene, placement.anchor.latitude, placement.anchor.longitude,
+                       placement.anchor.altitude, placement.yaw, placement.scale, placement.curve,
+                       view.settings.largest_texture);
 }
 
 } // namespace
@@ -47,7 +48,8 @@ World Stage::prepare(View const& view) {
     return world;
 }
 
-void Stage::draw(View const& view, World const& world, Extent size, Renderer::Finish const& finish, PresentSync const& sync) {
+void Stage::draw(View const& view, World const& world, Extent size, Renderer::Finish const& finish,
+                 PresentSync const& sync) {
     try {
         renderer_.draw(world, view.settings, size, finish, sync);
     } catch (Error const& error) {
@@ -69,7 +71,8 @@ void Stage::require_scene(View const& view) {
     if (view.scene.empty()) {
         renderer_.set_scene(nullptr, {}, planet_.radius);
     } else {
-        std::filesystem::path const file = view.scene == "default" ? default_terrain(planet_.radius) : std::filesystem::path(view.scene);
+        std::filesystem::path const file =
+            view.scene == "default" ? default_terrain(planet_.radius) : std::filesystem::path(view.scene);
         Scene scene = load_gltf(file, {view.settings.largest_texture});
         if (placement.curve) curve_to_planet(scene, planet_.radius, placement.scale);
         renderer_.set_scene(&scene, placement, planet_.radius);
@@ -84,8 +87,10 @@ double Stage::ground_altitude(glm::dvec3 const& world) const {
 
 void Stage::require_no_messages() const {
     if (device_.messages().empty()) return;
-    throw Error(ErrorKind::device, fmt::format("validation said {} things, the first: {}", device_.messages().size(), device_.messages().front()),
-                device_.name());
+    throw Error(
+        ErrorKind::device,
+        fmt::format("validation said {} things, the first: {}", device_.messages().size(), device_.messages().front()),
+        device_.name());
 }
 
 } // namespace alpenglow

@@ -9,8 +9,8 @@
 
 namespace alpenglow {
 
-/// A device with a renderer, and the planet and scene that stand on it: what all commands that draw have in common. Planets
-/// and scenes are loaded when a view first asks for them.
+/// A device with a renderer, and the planet and scene that stand on it: what all commands that draw have in common.
+/// Planets and scenes are loaded when a view first asks for them.
 class Stage {
 public:
     explicit Stage(DrawOptions const& options, DeviceOptions device = {}, std::uint32_t frames_in_flight = 1);
@@ -22,8 +22,10 @@ public:
     View dressed(View view) const;
     /// Loads what the view needs, and gives the world to draw. Throws Error.
     World prepare(View const& view);
-    /// Draws the world as the view says. Throws Error; a view file that shows an image which does not exist is bad input.
-    void draw(View const& view, World const& world, Extent size, Renderer::Finish const& finish = {}, PresentSync const& sync = {});
+    /// Draws the world as the view says. Throws Error; a view file that shows an image which does not exist is bad
+    /// input.
+    void draw(View const& view, World const& world, Extent size, Renderer::Finish const& finish = {},
+              PresentSync const& sync = {});
     /// Of the view prepared last.
     Planet const& planet() const { return planet_; }
     /// From the next scene on, `ground_altitude` knows it.

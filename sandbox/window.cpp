@@ -11,8 +11,9 @@
 
 namespace alpenglow {
 
-static_assert(key::ESCAPE == GLFW_KEY_ESCAPE && key::TAB == GLFW_KEY_TAB && key::F1 == GLFW_KEY_F1 && key::F2 == GLFW_KEY_F2 &&
-              key::LEFT_SHIFT == GLFW_KEY_LEFT_SHIFT && key::RIGHT_SHIFT == GLFW_KEY_RIGHT_SHIFT);
+static_assert(key::ESCAPE == GLFW_KEY_ESCAPE && key::TAB == GLFW_KEY_TAB && key::F1 == GLFW_KEY_F1 &&
+              key::F2 == GLFW_KEY_F2 && key::LEFT_SHIFT == GLFW_KEY_LEFT_SHIFT &&
+              key::RIGHT_SHIFT == GLFW_KEY_RIGHT_SHIFT);
 
 namespace {
 
@@ -30,7 +31,8 @@ std::string last_glfw_error() {
 GLFWwindow* make_window(Extent size, std::string const& title) {
     if (!glfwInit() || !glfwVulkanSupported()) return nullptr;
     glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
-    return glfwCreateWindow(static_cast<int>(size.width), static_cast<int>(size.height), title.c_str(), nullptr, nullptr);
+    return glfwCreateWindow(static_cast<int>(size.width), static_cast<int>(size.height), title.c_str(), nullptr,
+                            nullptr);
 }
 
 } // namespace

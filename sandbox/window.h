@@ -13,18 +13,19 @@ struct GLFWwindow;
 
 namespace alpenglow {
 
-/// Keys by their place on a US keyboard: those with a letter or sign are its upper-case ASCII code, the others are here.
+/// Keys by their place on a US keyboard: those with a letter or sign are its upper-case ASCII code, the others are
+/// here.
 namespace key {
 inline constexpr int ESCAPE = 256, TAB = 258, F1 = 290, F2 = 291, LEFT_SHIFT = 340, RIGHT_SHIFT = 344;
 }
 
 /// What happened between two polls.
 struct WindowEvents {
-    std::vector<int> pressed;     ///< keys, repeats of held ones included
-    glm::dvec2 mouse_moved{0};    ///< [screen units] right, down
-    double wheel = 0;             ///< notches, away from the user
-    bool button_pressed = false;  ///< any of the mouse
-    bool resized = false;         ///< the framebuffer has another size now
+    std::vector<int> pressed;    ///< keys, repeats of held ones included
+    glm::dvec2 mouse_moved{0};   ///< [screen units] right, down
+    double wheel = 0;            ///< notches, away from the user
+    bool button_pressed = false; ///< any of the mouse
+    bool resized = false;        ///< the framebuffer has another size now
 };
 
 /// A window with its keyboard and mouse. The only file that knows GLFW is its source.
@@ -48,9 +49,9 @@ public:
     bool close_requested() const;
     void request_close();
 
-    Extent framebuffer() const;     ///< [pixels]; empty while minimized
-    double height() const;          ///< [screen units] as the mouse moves
-    double content_scale() const;   ///< pixels of the framebuffer for each pixel of a plain screen
+    Extent framebuffer() const;   ///< [pixels]; empty while minimized
+    double height() const;        ///< [screen units] as the mouse moves
+    double content_scale() const; ///< pixels of the framebuffer for each pixel of a plain screen
     /// Hides the mouse and keeps it in the window, so that it can move without end.
     void capture_mouse(bool capture);
 
@@ -64,7 +65,7 @@ private:
     std::vector<bool> down_ = std::vector<bool>(KEYS);
     int buttons_down_ = 0;
     glm::dvec2 mouse_{0};
-    bool mouse_known_ = false;      ///< false: the next place of the mouse is a new start, not a move
+    bool mouse_known_ = false; ///< false: the next place of the mouse is a new start, not a move
 };
 
 } // namespace alpenglow

@@ -57,7 +57,9 @@ void write_all(int descriptor, std::span<std::byte const> bytes, fs::path const&
 void make_folder(fs::path const& folder, std::string const& advice) {
     std::error_code error, ignored;
     if (folder.empty() || fs::create_directories(folder, error) || fs::is_directory(folder, ignored)) return;
-    throw Error(ErrorKind::bad_input, "folder can't be made: " + (error ? error.message() : "something else has this name"), folder.string(), advice);
+    throw Error(ErrorKind::bad_input,
+                "folder can't be made: " + (error ? error.message() : "something else has this name"), folder.string(),
+                advice);
 }
 
 std::string environment(char const* name) {
@@ -73,12 +75,13 @@ std::vector<std::byte> read_file(fs::path const& path, std::uint64_t largest) {
     if (file.value < 0) fail_to_read(path, errno);
     struct stat status {};
     if (::fstat(file.value, &status) != 0) fail_to_read(path, errno);
-    if (!S_ISREG(status.st_mode)) throw Error(ErrorKind::bad_input, "is not a regular file", path.string(), "give the path of a file");
+    if (!S_ISREG(status.st_mode))
+        throw Error(ErrorKind::bad_input, "is not a regular file", path.string(), "give the path of a file");
     auto const size = static_cast<std::uint64_t>(status.st_size);
     if (size > largest) {
         throw Error(ErrorKind::bad_input,
-                    "is " + std::to_string(size) + " bytes, more than the limit of " + std::to_string(largest), path.string(),
-                    "is it the right file?");
+                    "is " + std::to_string(size) + " bytes, more than the limit of " + std::to_string(largest),
+                    path.string(), "is it the right file?");
     }
     std::vector<std::byte> bytes(size);
     std::size_t done = 0;
@@ -130,10 +133,12 @@ fs::path assets_folder() {
     if (std::string const given = environment("ALPENGLOW_ASSETS"); !given.empty()) return given;
     std::error_code error;
     fs::path const program = fs::read_symlink("/proc/self/exe", error).parent_path();
-    for (fs::path const& candidate : {program / "assets", program / "../share/alpenglow/assets", fs::path(ALPENGLOW_SOURCE_ASSETS)}) {
+    for (fs::path const& candidate :
+         {program / "assets", program / "../share/alpenglow/assets", fs::path(ALPENGLOW_SOURCE_ASSETS)}) {
         if (fs::is_directory(candidate / "planets", error)) return candidate.lexically_normal();
     }
-    throw Error(ErrorKind::bad_input, "the assets folder was not found", program.string(), "set ALPENGLOW_ASSETS to it");
+    throw Error(ErrorKind::bad_input, "the assets folder was not found", program.string(),
+                "set ALPENGLOW_ASSETS to it");
 }
 
 fs::path cache_folder() {

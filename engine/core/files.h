@@ -20,8 +20,10 @@ std::string read_text_file(std::filesystem::path const& path, std::uint64_t larg
 void write_file(std::filesystem::path const& path, std::span<std::byte const> bytes);
 void write_text_file(std::filesystem::path const& path, std::string const& text);
 
-/// Makes the folder (none: the one that the program runs in), and proves that a file can be written there. Throws Error(bad_input).
-void require_writable_folder(std::filesystem::path const& folder, std::string const& advice = "choose another output folder");
+/// Makes the folder (none: the one that the program runs in), and proves that a file can be written there. Throws
+/// Error(bad_input).
+void require_writable_folder(std::filesystem::path const& folder,
+                             std::string const& advice = "choose another output folder");
 
 /// The project's assets: $ALPENGLOW_ASSETS, else `assets` beside or above the program, else where it was built.
 std::filesystem::path assets_folder();

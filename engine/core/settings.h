@@ -9,8 +9,9 @@
 
 namespace alpenglow {
 
-/// Everything about a picture that is not the world itself. One table (`setting_table`) gives each field its name, type,
-/// range, unit and help; the command line, the view files and their schema, the panel and the documents are made from it.
+/// Everything about a picture that is not the world itself. One table (`setting_table`) gives each field its name,
+/// type, range, unit and help; the command line, the view files and their schema, the panel and the documents are made
+/// from it.
 struct Settings {
     // The air
     bool air = true;                 ///< the air's in-scattered light and extinction
@@ -22,17 +23,17 @@ struct Settings {
 
     // Shadows
     bool shadows = true;
-    int cascades = 4;           ///< 1 to 4
-    int cascade_size = 2048;    ///< texels along a side, 256 to 8192
-    double shadow_reach = 1e5;  ///< [m]
+    int cascades = 4;          ///< 1 to 4
+    int cascade_size = 2048;   ///< texels along a side, 256 to 8192
+    double shadow_reach = 1e5; ///< [m]
 
     // The picture
-    double exposure = 0.0;      ///< [stops]; displayed = curve(2^exposure * radiance)
+    double exposure = 0.0;        ///< [stops]; displayed = curve(2^exposure * radiance)
     std::string curve = "filmic"; ///< exponential | filmic
-    bool dither = true;         ///< after the curve, before 8 bits
-    int aa = 1;                 ///< supersampling: 1, 4 or 16
+    bool dither = true;           ///< after the curve, before 8 bits
+    int aa = 1;                   ///< supersampling: 1, 4 or 16
     std::string post_aa = "none"; ///< none | fxaa
-    std::string show{};         ///< name of a frame image to show in place of the result
+    std::string show{};           ///< name of a frame image to show in place of the result
 
     // Scenes
     int largest_texture = 4096; ///< [texels] larger pictures are scaled down at import
@@ -41,8 +42,7 @@ struct Settings {
 };
 
 /// Where a setting lives in `Settings`.
-using SettingMember =
-    std::variant<bool Settings::*, int Settings::*, double Settings::*, std::string Settings::*>;
+using SettingMember = std::variant<bool Settings::*, int Settings::*, double Settings::*, std::string Settings::*>;
 
 struct SettingInfo {
     std::string_view name;

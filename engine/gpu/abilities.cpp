@@ -19,7 +19,8 @@ constexpr VkFormatFeatureFlags COLOR = VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT | 
 constexpr VkFormatFeatureFlags BLIT = VK_FORMAT_FEATURE_BLIT_SRC_BIT | VK_FORMAT_FEATURE_BLIT_DST_BIT;
 
 constexpr std::array FORMAT_NEEDS = {
-    FormatNeed{VK_FORMAT_R32G32B32A32_SFLOAT, FILTERED | VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT, "32-bit float tables with linear filtering"},
+    FormatNeed{VK_FORMAT_R32G32B32A32_SFLOAT, FILTERED | VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT,
+               "32-bit float tables with linear filtering"},
     FormatNeed{VK_FORMAT_R16G16B16A16_SNORM, COLOR, "16-bit signed normals as an attachment"},
     FormatNeed{VK_FORMAT_B10G11R11_UFLOAT_PACK32, COLOR, "packed-float emission as an attachment"},
     FormatNeed{VK_FORMAT_R8G8B8A8_SRGB, COLOR | FILTERED | BLIT, "sRGB colour"},
@@ -28,8 +29,7 @@ constexpr std::array FORMAT_NEEDS = {
     FormatNeed{VK_FORMAT_D32_SFLOAT, VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT | SAMPLED, "32-bit float depth"},
 };
 
-template <typename List>
-void note(List& lacks, bool present, char const* name) {
+template <typename List> void note(List& lacks, bool present, char const* name) {
     if (!present) lacks.emplace_back(name);
 }
 
@@ -44,7 +44,9 @@ std::vector<std::string> missing_abilities(DeviceAbilities const& abilities, boo
     note(lacks, abilities.vulkan13.maintenance4, "maintenance4");
     note(lacks, abilities.vulkan12.scalarBlockLayout, "scalarBlockLayout");
     note(lacks, abilities.features.features.depthClamp, "depthClamp");
-    auto const has = [&](char const* name) { return std::ranges::find(abilities.extensions, name) != abilities.extensions.end(); };
+    auto const has = [&](char const* name) {
+        return std::ranges::find(abilities.extensions, name) != abilities.extensions.end();
+    };
     note(lacks, has(VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME), VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME);
     if (window) {
         note(lacks, has(VK_KHR_SWAPCHAIN_EXTENSION_NAME), VK_KHR_SWAPCHAIN_EXTENSION_NAME);
@@ -84,13 +86,16 @@ DeviceAbilities read_abilities(VkPhysicalDevice device, VkSurfaceKHR surface) {
     std::uint32_t count = 0;
     check(vkEnumerateDeviceExtensionProperties(device, nullptr, &count, nullptr), "listing device extensions");
     std::vector<VkExtensionProperties> extensions(count);
-    check(vkEnumerateDeviceExtensionProperties(device, nullptr, &count, extensions.data()), "listing device extensions");
-    for (VkExtensionProperties const& extension : extensions) abilities.extensions.emplace_back(extension.extensionName);
+    check(vkEnumerateDeviceExtensionProperties(device, nullptr, &count, extensions.data()),
+          "listing device extensions");
+    for (VkExtensionProperties const& extension : extensions)
+        abilities.extensions.emplace_back(extension.extensionName);
 
     for (FormatNeed const& need : FORMAT_NEEDS) {
         VkFormatProperties format{};
         vkGetPhysicalDeviceFormatProperties(device, need.format, &format);
-        if ((format.optimalTilingFeatures & need.features) != need.features) abilities.missing_formats.emplace_back(need.text);
+        if ((format.optimalTilingFeatures & need.features) != need.features)
+            abilities.missing_formats.emplace_back(need.text);
     }
     std::optional<std::uint32_t> const family = find_queue_family(device);
     abilities.graphics_queue = family.has_value();
@@ -115,16 +120,27 @@ DeviceReport report_device(VkPhysicalDevice device, int index, VkSurfaceKHR surf
     report.name = properties.properties.deviceName;
     report.driver = std::string(driver.driverName) + " " + driver.driverInfo;
     switch (properties.properties.deviceType) {
-    case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU: report.type = "discrete GPU", report.preference = 4; break;
-    case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU: report.type = "integrated GPU", report.preference = 3; break;
-    case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU: report.type = "virtual GPU", report.preference = 2; break;
-    case VK_PHYSICAL_DEVICE_TYPE_CPU: report.type = "software", report.preference = 1; break;
-    default: report.type = "other"; break;
+    case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU:
+        report.type = "discrete GPU", report.preference = 4;
+        break;
+    case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU:
+        report.type = "integrated GPU", report.preference = 3;
+        break;
+    case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU:
+        report.type = "virtual GPU", report.preference = 2;
+        break;
+    case VK_PHYSICAL_DEVICE_TYPE_CPU:
+        report.type = "software", report.preference = 1;
+        break;
+    default:
+        report.type = "other";
+        break;
     }
     VkPhysicalDeviceMemoryProperties memory{};
     vkGetPhysicalDeviceMemoryProperties(device, &memory);
     for (std::uint32_t i = 0; i < memory.memoryHeapCount; ++i) {
-        if (memory.memoryHeaps[i].flags & VK_MEMORY_HEAP_DEVICE_LOCAL_BIT) report.memory_bytes += memory.memoryHeaps[i].size;
+        if (memory.memoryHeaps[i].flags & VK_MEMORY_HEAP_DEVICE_LOCAL_BIT)
+            report.memory_bytes += memory.memoryHeaps[i].size;
     }
     report.lacks = missing_abilities(read_abilities(device, surface), surface != VK_NULL_HANDLE);
     return report;

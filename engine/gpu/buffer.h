@@ -13,7 +13,8 @@ enum class BufferHome {
 
 class GpuBuffer {
 public:
-    GpuBuffer(Device const& device, VkDeviceSize bytes, VkBufferUsageFlags usage, BufferHome home, std::string const& name);
+    GpuBuffer(Device const& device, VkDeviceSize bytes, VkBufferUsageFlags usage, BufferHome home,
+              std::string const& name);
     ~GpuBuffer();
     GpuBuffer(GpuBuffer const&) = delete;
     GpuBuffer& operator=(GpuBuffer const&) = delete;

@@ -19,7 +19,8 @@ bool has_validation_layer() {
     check(vkEnumerateInstanceLayerProperties(&count, nullptr), "listing Vulkan layers");
     std::vector<VkLayerProperties> layers(count);
     check(vkEnumerateInstanceLayerProperties(&count, layers.data()), "listing Vulkan layers");
-    return std::ranges::any_of(layers, [](auto const& layer) { return std::strcmp(layer.layerName, VALIDATION_LAYER) == 0; });
+    return std::ranges::any_of(layers,
+                               [](auto const& layer) { return std::strcmp(layer.layerName, VALIDATION_LAYER) == 0; });
 }
 
 VKAPI_ATTR VkBool32 VKAPI_CALL receive_message(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
@@ -32,14 +33,16 @@ VKAPI_ATTR VkBool32 VKAPI_CALL receive_message(VkDebugUtilsMessageSeverityFlagBi
 VkDebugUtilsMessengerCreateInfoEXT messenger_info(std::vector<std::string>& messages) {
     VkDebugUtilsMessengerCreateInfoEXT info{};
     info.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT;
-    info.messageSeverity = VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
+    info.messageSeverity =
+        VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
     info.messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT;
     info.pfnUserCallback = receive_message;
     info.pUserData = &messages;
     return info;
 }
 
-VkInstance make_plain_instance(std::vector<char const*> const& layers, std::vector<char const*> const& extensions, void const* next) {
+VkInstance make_plain_instance(std::vector<char const*> const& layers, std::vector<char const*> const& extensions,
+                               void const* next) {
     VkApplicationInfo application{};
     application.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO;
     application.pApplicationName = "alpenglow";
@@ -68,8 +71,7 @@ std::vector<VkPhysicalDevice> physical_devices(VkInstance instance) {
 
 std::string joined(std::vector<std::string> const& parts) { return fmt::format("{}", fmt::join(parts, ", ")); }
 
-template <typename Function>
-Function instance_function(VkInstance instance, char const* name) {
+template <typename Function> Function instance_function(VkInstance instance, char const* name) {
     return reinterpret_cast<Function>(vkGetInstanceProcAddr(instance, name));
 }
 
@@ -107,7 +109,8 @@ void Device::destroy() noexcept {
     }
     if (surface_) vkDestroySurfaceKHR(instance_, surface_, nullptr);
     if (messenger_) {
-        instance_function<PFN_vkDestroyDebugUtilsMessengerEXT>(instance_, "vkDestroyDebugUtilsMessengerEXT")(instance_, messenger_, nullptr);
+        instance_function<PFN_vkDestroyDebugUtilsMessengerEXT>(instance_, "vkDestroyDebugUtilsMessengerEXT")(
+            instance_, messenger_, nullptr);
     }
     if (instance_) vkDestroyInstance(instance_, nullptr);
 }
@@ -115,7 +118,8 @@ void Device::destroy() noexcept {
 void Device::make_instance(DeviceOptions const& options) {
     std::vector<char const*> layers, extensions = options.instance_extensions;
     bool const validate = options.validation && has_validation_layer();
-    if (options.validation && !validate) log_warning("validation was asked for, but the layer VK_LAYER_KHRONOS_validation is not installed");
+    if (options.validation && !validate)
+        log_warning("validation was asked for, but the layer VK_LAYER_KHRONOS_validation is not installed");
     if (!validate) {
         instance_ = make_plain_instance(layers, extensions, nullptr);
         return;
@@ -130,7 +134,8 @@ void Device::make_instance(DeviceOptions const& options) {
     features.enabledValidationFeatureCount = 1;
     features.pEnabledValidationFeatures = enabled;
     instance_ = make_plain_instance(layers, extensions, &features);
-    auto const create = instance_function<PFN_vkCreateDebugUtilsMessengerEXT>(instance_, "vkCreateDebugUtilsMessengerEXT");
+    auto const create =
+        instance_function<PFN_vkCreateDebugUtilsMessengerEXT>(instance_, "vkCreateDebugUtilsMessengerEXT");
     check(create(instance_, &messenger, nullptr, &messenger_), "starting validation");
     set_name_ = instance_function<PFN_vkSetDebugUtilsObjectNameEXT>(instance_, "vkSetDebugUtilsObjectNameEXT");
     begin_label_ = instance_function<PFN_vkCmdBeginDebugUtilsLabelEXT>(instance_, "vkCmdBeginDebugUtilsLabelEXT");
@@ -140,17 +145,22 @@ void Device::make_instance(DeviceOptions const& options) {
 void Device::choose_physical(DeviceOptions const& options) {
     std::vector<VkPhysicalDevice> const devices = physical_devices(instance_);
     std::vector<DeviceReport> reports;
-    for (VkPhysicalDevice device : devices) reports.push_back(report_device(device, static_cast<int>(reports.size()), surface_));
+    for (VkPhysicalDevice device : devices)
+        reports.push_back(report_device(device, static_cast<int>(reports.size()), surface_));
     auto const advice = "see `alpenglow devices`; mesa-vulkan-drivers has one that needs no GPU";
     if (options.index && (*options.index < 0 || *options.index >= static_cast<int>(devices.size()))) {
-        throw Error(ErrorKind::device, fmt::format("there is no device {}; this machine has {}", *options.index, devices.size()), "--device", advice);
+        throw Error(ErrorKind::device,
+                    fmt::format("there is no device {}; this machine has {}", *options.index, devices.size()),
+                    "--device", advice);
     }
     DeviceReport const* best = nullptr;
     std::string refused;
     for (DeviceReport const& report : reports) {
         if (options.index && report.index != *options.index) continue;
-        if (!report.lacks.empty()) refused += fmt::format("; {} lacks {}", report.name, joined(report.lacks));
-        else if (!best || report.preference > best->preference) best = &report;
+        if (!report.lacks.empty())
+            refused += fmt::format("; {} lacks {}", report.name, joined(report.lacks));
+        else if (!best || report.preference > best->preference)
+            best = &report;
     }
     if (!best) throw Error(ErrorKind::device, "no Vulkan device can be used" + refused, {}, advice);
     physical_ = devices[static_cast<std::size_t>(best->index)];
@@ -191,7 +201,8 @@ void Device::make_device(bool window) {
     info.ppEnabledExtensionNames = extensions.data();
     check(vkCreateDevice(physical_, &info, nullptr, &device_), "starting the device " + name());
     vkGetDeviceQueue(device_, queue_family_, 0, &queue_);
-    push_descriptors_ = reinterpret_cast<PFN_vkCmdPushDescriptorSetKHR>(vkGetDeviceProcAddr(device_, "vkCmdPushDescriptorSetKHR"));
+    push_descriptors_ =
+        reinterpret_cast<PFN_vkCmdPushDescriptorSetKHR>(vkGetDeviceProcAddr(device_, "vkCmdPushDescriptorSetKHR"));
 
     VkCommandPoolCreateInfo pool{};
     pool.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;
@@ -231,7 +242,8 @@ VkDeviceMemory Device::allocate(VkMemoryRequirements const& needs, VkMemoryPrope
         info.allocationSize = needs.size;
         info.memoryTypeIndex = type;
         VkDeviceMemory memory = VK_NULL_HANDLE;
-        check(vkAllocateMemory(device_, &info, nullptr, &memory), fmt::format("allocating {} MiB of device memory", needs.size >> 20));
+        check(vkAllocateMemory(device_, &info, nullptr, &memory),
+              fmt::format("allocating {} MiB of device memory", needs.size >> 20));
         std::uint64_t const now = memory_in_use_ += needs.size;
         if (now > peak_memory_) peak_memory_ = now;
         return memory;

@@ -29,7 +29,8 @@ GpuImage::GpuImage(Device const& device, ImageShape const& shape, VkImageUsageFl
     make_views();
 }
 
-GpuImage::GpuImage(Device const& device, VkImage borrowed, ImageShape const& shape, VkImageUsageFlags usage, std::string const& name)
+GpuImage::GpuImage(Device const& device, VkImage borrowed, ImageShape const& shape, VkImageUsageFlags usage,
+                   std::string const& name)
     : device_(device), shape_(shape), usage_(usage), image_(borrowed) {
     device.set_name(VK_OBJECT_TYPE_IMAGE, reinterpret_cast<std::uint64_t>(image_), name);
     make_views();
@@ -37,7 +38,8 @@ GpuImage::GpuImage(Device const& device, VkImage borrowed, ImageShape const& sha
 
 void GpuImage::make_views() {
     constexpr VkImageUsageFlags viewed = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT |
-                                         VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
+                                         VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT |
+                                         VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
     if (!(usage_ & viewed)) return;
     array_view_ = make_view(VK_IMAGE_VIEW_TYPE_2D_ARRAY, 0, shape_.layers);
     view_ = shape_.layers > 1 ? array_view_ : make_view(VK_IMAGE_VIEW_TYPE_2D, 0, 1);
@@ -65,7 +67,8 @@ VkImageView GpuImage::make_view(VkImageViewType type, std::uint32_t first_layer,
     return view;
 }
 
-VkImageMemoryBarrier2 image_barrier(VkImage image, VkImageAspectFlags aspect, ImageState const& before, ImageState const& next) {
+VkImageMemoryBarrier2 image_barrier(VkImage image, VkImageAspectFlags aspect, ImageState const& before,
+                                    ImageState const& next) {
     VkImageMemoryBarrier2 barrier{};
     barrier.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2;
     barrier.srcStageMask = before.stages;

@@ -33,7 +33,8 @@ class GpuImage {
 public:
     GpuImage(Device const& device, ImageShape const& shape, VkImageUsageFlags usage, std::string const& name);
     /// Views of an image that somebody else owns, such as a window's swapchain.
-    GpuImage(Device const& device, VkImage borrowed, ImageShape const& shape, VkImageUsageFlags usage, std::string const& name);
+    GpuImage(Device const& device, VkImage borrowed, ImageShape const& shape, VkImageUsageFlags usage,
+             std::string const& name);
     ~GpuImage();
     GpuImage(GpuImage const&) = delete;
     GpuImage& operator=(GpuImage const&) = delete;
@@ -64,11 +65,14 @@ private:
 };
 
 /// One barrier for the whole image, from its state to `next`.
-VkImageMemoryBarrier2 image_barrier(VkImage image, VkImageAspectFlags aspect, ImageState const& before, ImageState const& next);
+VkImageMemoryBarrier2 image_barrier(VkImage image, VkImageAspectFlags aspect, ImageState const& before,
+                                    ImageState const& next);
 void record_barriers(VkCommandBuffer commands, std::vector<VkImageMemoryBarrier2> const& barriers);
 
 /// States that uploads and readbacks pass through.
-inline constexpr ImageState TRANSFER_SOURCE{VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_READ_BIT};
-inline constexpr ImageState TRANSFER_TARGET{VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT};
+inline constexpr ImageState TRANSFER_SOURCE{VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
+                                            VK_ACCESS_2_TRANSFER_READ_BIT};
+inline constexpr ImageState TRANSFER_TARGET{VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
+                                            VK_ACCESS_2_TRANSFER_WRITE_BIT};
 
 } // namespace alpenglow

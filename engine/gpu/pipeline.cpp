@@ -7,7 +7,8 @@ namespace alpenglow {
 
 namespace {
 
-VkDescriptorSetLayout make_push_layout(Device const& device, std::vector<SlotLayout> const& slots, VkShaderStageFlags stages) {
+VkDescriptorSetLayout make_push_layout(Device const& device, std::vector<SlotLayout> const& slots,
+                                       VkShaderStageFlags stages) {
     std::vector<VkDescriptorSetLayoutBinding> bindings;
     for (SlotLayout const& slot : slots) bindings.push_back({slot.slot, slot.type, 1, stages, nullptr});
     VkDescriptorSetLayoutCreateInfo info{};
@@ -20,7 +21,8 @@ VkDescriptorSetLayout make_push_layout(Device const& device, std::vector<SlotLay
     return layout;
 }
 
-VkPipelineLayout make_layout(Device const& device, std::span<VkDescriptorSetLayout const> sets, VkShaderStageFlags stages) {
+VkPipelineLayout make_layout(Device const& device, std::span<VkDescriptorSetLayout const> sets,
+                             VkShaderStageFlags stages) {
     VkPushConstantRange const push{stages, 0, PUSH_CONSTANT_BYTES};
     VkPipelineLayoutCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
@@ -41,7 +43,8 @@ public:
         info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
         info.codeSize = code.words.size_bytes();
         info.pCode = code.words.data();
-        check(vkCreateShaderModule(device.handle(), &info, nullptr, &module_), std::string("loading the shader ") + code.name);
+        check(vkCreateShaderModule(device.handle(), &info, nullptr, &module_),
+              std::string("loading the shader ") + code.name);
     }
     ~Module() { vkDestroyShaderModule(device_.handle(), module_, nullptr); }
     Module(Module const&) = delete;
@@ -107,7 +110,8 @@ VkPipeline make_raster(Device const& device, RasterState const& state, VkPipelin
     depth.depthCompareOp = state.shadow ? VK_COMPARE_OP_LESS : VK_COMPARE_OP_GREATER;
 
     VkPipelineColorBlendAttachmentState target{};
-    target.colorWriteMask = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
+    target.colorWriteMask =
+        VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
     target.blendEnable = state.blend;
     target.srcColorBlendFactor = VK_BLEND_FACTOR_SRC_ALPHA;
     target.dstColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
@@ -119,7 +123,8 @@ VkPipeline make_raster(Device const& device, RasterState const& state, VkPipelin
     blend.attachmentCount = static_cast<std::uint32_t>(attachments.size());
     blend.pAttachments = attachments.data();
 
-    std::array const dynamic = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR, VK_DYNAMIC_STATE_CULL_MODE, VK_DYNAMIC_STATE_FRONT_FACE};
+    std::array const dynamic = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR, VK_DYNAMIC_STATE_CULL_MODE,
+                                VK_DYNAMIC_STATE_FRONT_FACE};
     VkPipelineDynamicStateCreateInfo dynamics{};
     dynamics.sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO;
     dynamics.dynamicStateCount = static_cast<std::uint32_t>(dynamic.size());
@@ -145,7 +150,8 @@ VkPipeline make_raster(Device const& device, RasterState const& state, VkPipelin
     info.pDynamicState = &dynamics;
     info.layout = layout;
     VkPipeline pipeline = VK_NULL_HANDLE;
-    check(vkCreateGraphicsPipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline), std::string("making a pipeline of ") + state.vertex.name);
+    check(vkCreateGraphicsPipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
+          std::string("making a pipeline of ") + state.vertex.name);
     return pipeline;
 }
 
@@ -168,14 +174,16 @@ Pipeline const& PipelineCache::compute(ShaderCode const& shader, std::vector<Slo
     info.stage = module.stage(VK_SHADER_STAGE_COMPUTE_BIT);
     info.layout = layout;
     VkPipeline pipeline = VK_NULL_HANDLE;
-    check(vkCreateComputePipelines(device_.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline), std::string("making the pipeline ") + shader.name);
+    check(vkCreateComputePipelines(device_.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
+          std::string("making the pipeline ") + shader.name);
     entry = std::make_unique<Pipeline>(device_, set0, layout, pipeline);
     return *entry;
 }
 
 Pipeline const& PipelineCache::raster(RasterState const& state, std::vector<SlotLayout> const& slots) {
     char const* const fragment = state.fragment.name ? state.fragment.name : "";
-    std::string key = fmt::format("{}+{} {} {} {}{}", state.vertex.name, fragment, state.shadow, state.slope_bias, state.blend, slots_key(slots));
+    std::string key = fmt::format("{}+{} {} {} {}{}", state.vertex.name, fragment, state.shadow, state.slope_bias,
+                                  state.blend, slots_key(slots));
     for (VkFormat color : state.colors) key += fmt::format(" {}", static_cast<int>(color));
     std::unique_ptr<Pipeline>& entry = pipelines_[key];
     if (entry) return *entry;

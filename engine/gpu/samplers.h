@@ -18,8 +18,13 @@ struct SamplerState {
 
 inline constexpr SamplerState LINEAR_CLAMP{};
 inline constexpr SamplerState NEAREST_CLAMP{VK_FILTER_NEAREST, VK_FILTER_NEAREST, VK_SAMPLER_MIPMAP_MODE_NEAREST};
-inline constexpr SamplerState SHADOW_COMPARE{VK_FILTER_LINEAR, VK_FILTER_LINEAR, VK_SAMPLER_MIPMAP_MODE_NEAREST, false,
-                                             VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE, VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE, true};
+inline constexpr SamplerState SHADOW_COMPARE{VK_FILTER_LINEAR,
+                                             VK_FILTER_LINEAR,
+                                             VK_SAMPLER_MIPMAP_MODE_NEAREST,
+                                             false,
+                                             VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE,
+                                             VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE,
+                                             true};
 
 /// Makes samplers once and keeps them.
 class SamplerCache {

@@ -12,13 +12,16 @@ namespace {
 constexpr std::uint64_t PATIENCE_NS = 10'000'000'000;
 
 /// Pictures are encoded already, so that formats without an encoding of their own come first.
-constexpr std::array WANTED = {VK_FORMAT_B8G8R8A8_UNORM, VK_FORMAT_R8G8B8A8_UNORM, VK_FORMAT_B8G8R8A8_SRGB, VK_FORMAT_R8G8B8A8_SRGB};
+constexpr std::array WANTED = {VK_FORMAT_B8G8R8A8_UNORM, VK_FORMAT_R8G8B8A8_UNORM, VK_FORMAT_B8G8R8A8_SRGB,
+                               VK_FORMAT_R8G8B8A8_SRGB};
 
 VkSurfaceFormatKHR choose_format(Device const& device) {
     std::uint32_t count = 0;
-    check(vkGetPhysicalDeviceSurfaceFormatsKHR(device.physical(), device.surface(), &count, nullptr), "listing the window's formats");
+    check(vkGetPhysicalDeviceSurfaceFormatsKHR(device.physical(), device.surface(), &count, nullptr),
+          "listing the window's formats");
     std::vector<VkSurfaceFormatKHR> formats(count);
-    check(vkGetPhysicalDeviceSurfaceFormatsKHR(device.physical(), device.surface(), &count, formats.data()), "listing the window's formats");
+    check(vkGetPhysicalDeviceSurfaceFormatsKHR(device.physical(), device.surface(), &count, formats.data()),
+          "listing the window's formats");
     for (VkFormat wanted : WANTED) {
         for (VkSurfaceFormatKHR const& format : formats) {
             if (format.format == wanted && format.colorSpace == VK_COLOR_SPACE_SRGB_NONLINEAR_KHR) return format;
@@ -63,7 +66,9 @@ Swapchain::~Swapchain() {
     for (VkSemaphore semaphore : acquired_) vkDestroySemaphore(device_.handle(), semaphore, nullptr);
 }
 
-bool Swapchain::encodes_srgb() const { return format_.format == VK_FORMAT_B8G8R8A8_SRGB || format_.format == VK_FORMAT_R8G8B8A8_SRGB; }
+bool Swapchain::encodes_srgb() const {
+    return format_.format == VK_FORMAT_B8G8R8A8_SRGB || format_.format == VK_FORMAT_R8G8B8A8_SRGB;
+}
 
 void Swapchain::resize(Extent framebuffer) {
     device_.wait_idle();
@@ -72,7 +77,8 @@ void Swapchain::resize(Extent framebuffer) {
 
 void Swapchain::make(Extent framebuffer) {
     VkSurfaceCapabilitiesKHR surface{};
-    check(vkGetPhysicalDeviceSurfaceCapabilitiesKHR(device_.physical(), device_.surface(), &surface), "asking for the window's size");
+    check(vkGetPhysicalDeviceSurfaceCapabilitiesKHR(device_.physical(), device_.surface(), &surface),
+          "asking for the window's size");
     destroy_images();
     extent_ = framebuffer.pixels() > 0 ? surface_extent(surface, framebuffer) : Extent{};
     if (extent_.pixels() == 0) return;
@@ -105,7 +111,8 @@ void Swapchain::make_images() {
     std::vector<VkImage> images(count);
     check(vkGetSwapchainImagesKHR(device_.handle(), swapchain_, &count, images.data()), "listing the window's images");
     for (VkImage image : images) {
-        images_.push_back(std::make_unique<GpuImage>(device_, image, ImageShape{format_.format, extent_}, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT, "window"));
+        images_.push_back(std::make_unique<GpuImage>(device_, image, ImageShape{format_.format, extent_},
+                                                     VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT, "window"));
         finished_.push_back(make_semaphore());
     }
 }
@@ -127,12 +134,14 @@ VkSemaphore Swapchain::make_semaphore() const {
 std::optional<Swapchain::Target> Swapchain::acquire() {
     if (images_.empty()) return {};
     VkSemaphore const acquired = acquired_[next_acquired_];
-    VkResult const result = vkAcquireNextImageKHR(device_.handle(), swapchain_, PATIENCE_NS, acquired, VK_NULL_HANDLE, &image_);
+    VkResult const result =
+        vkAcquireNextImageKHR(device_.handle(), swapchain_, PATIENCE_NS, acquired, VK_NULL_HANDLE, &image_);
     if (result == VK_ERROR_OUT_OF_DATE_KHR || result == VK_TIMEOUT) return {};
     check(result, "waiting for the window");
     next_acquired_ = (next_acquired_ + 1) % acquired_.size();
     // Its first barrier has to come behind the wait for `acquired`, which a barrier without stages would not do.
-    images_[image_]->state = {VK_IMAGE_LAYOUT_UNDEFINED, VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT, VK_ACCESS_2_NONE};
+    images_[image_]->state = {VK_IMAGE_LAYOUT_UNDEFINED, VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
+                              VK_ACCESS_2_NONE};
     return Target{images_[image_].get(), acquired, finished_[image_]};
 }
 

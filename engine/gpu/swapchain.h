@@ -7,11 +7,12 @@
 
 namespace alpenglow {
 
-/// The images of the device's surface. Pictures are shown in the order drawn, one at each refresh of the screen (FIFO, which
-/// every device has). Throws Error(device) where the surface is lost.
+/// The images of the device's surface. Pictures are shown in the order drawn, one at each refresh of the screen (FIFO,
+/// which every device has). Throws Error(device) where the surface is lost.
 class Swapchain {
 public:
-    /// `framebuffer`: the window's size in pixels, not in the window system's units. Empty (a minimized window) is allowed.
+    /// `framebuffer`: the window's size in pixels, not in the window system's units. Empty (a minimized window) is
+    /// allowed.
     Swapchain(Device const& device, Extent framebuffer, std::uint32_t frames_in_flight);
     ~Swapchain();
     Swapchain(Swapchain const&) = delete;
@@ -48,7 +49,7 @@ private:
     std::vector<VkSemaphore> finished_; ///< one for each image: free again when the image comes back
     std::vector<VkSemaphore> acquired_; ///< taken in turn
     std::size_t next_acquired_ = 0;
-    std::uint32_t image_ = 0;           ///< acquired last
+    std::uint32_t image_ = 0; ///< acquired last
 };
 
 } // namespace alpenglow

@@ -24,7 +24,8 @@ using Rectangle = Corner[4];
 /// stb_easy_font's tables hold nothing but 32 to 126, and it does not check.
 std::string printable(std::string_view text) {
     std::string result(text);
-    std::replace_if(result.begin(), result.end(), [](char c) { return c < 32 || c > 126; }, '?');
+    std::replace_if(
+        result.begin(), result.end(), [](char c) { return c < 32 || c > 126; }, '?');
     return result;
 }
 
@@ -63,7 +64,8 @@ void draw_text(ByteImage& picture, int x, int y, std::string_view text, std::uin
     int const count = stb_easy_font_print(0, 0, line.data(), nullptr, rectangles.data(),
                                           static_cast<int>(rectangles.size() * sizeof(Rectangle)));
     for (int i = 0; i < count; ++i) {
-        Corner const &first = rectangles[static_cast<std::size_t>(i)][0], &last = rectangles[static_cast<std::size_t>(i)][2];
+        Corner const &first = rectangles[static_cast<std::size_t>(i)][0],
+                     &last = rectangles[static_cast<std::size_t>(i)][2];
         fill(picture, x + scale * static_cast<int>(first.x), y + scale * static_cast<int>(first.y),
              x + scale * static_cast<int>(last.x), y + scale * static_cast<int>(last.y), color);
     }

@@ -83,7 +83,8 @@ std::vector<std::byte> encode_png(ByteImage const& image) {
     int const channels = opaque ? 3 : 4;
     std::vector<std::byte> bytes;
     stbi_write_png_compression_level = 1;
-    stbi_write_force_png_filter = 1; // the pixel to the left; trying every filter takes half as long again and gains nothing
+    stbi_write_force_png_filter =
+        1; // the pixel to the left; trying every filter takes half as long again and gains nothing
     int const width = static_cast<int>(image.extent.width);
     if (!stbi_write_png_to_func(append, &bytes, width, static_cast<int>(image.extent.height), channels,
                                 opaque ? rgb.data() : image.rgba.data(), width * channels)) {
@@ -94,8 +95,8 @@ std::vector<std::byte> encode_png(ByteImage const& image) {
 
 std::vector<std::byte> encode_jpeg(ByteImage const& image, int quality) {
     std::vector<std::byte> bytes;
-    if (!stbi_write_jpg_to_func(append, &bytes, static_cast<int>(image.extent.width), static_cast<int>(image.extent.height), 4,
-                                image.rgba.data(), quality)) {
+    if (!stbi_write_jpg_to_func(append, &bytes, static_cast<int>(image.extent.width),
+                                static_cast<int>(image.extent.height), 4, image.rgba.data(), quality)) {
         throw Error(ErrorKind::bad_input, "picture can't be encoded");
     }
     return bytes;

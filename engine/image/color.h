@@ -15,7 +15,9 @@ float linear_from_srgb_byte(std::uint8_t encoded);
 std::uint8_t srgb_byte_from_linear(float linear);
 
 /// Relative luminance of linear Rec.709 (ITU-R BT.709-6, section 3.2).
-constexpr float luminance(float red, float green, float blue) { return 0.2126f * red + 0.7152f * green + 0.0722f * blue; }
+constexpr float luminance(float red, float green, float blue) {
+    return 0.2126f * red + 0.7152f * green + 0.0722f * blue;
+}
 
 /// Alpha is linear in both and only scaled.
 FloatImage linear_from_srgb(ByteImage const& image);

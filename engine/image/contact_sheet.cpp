@@ -13,11 +13,11 @@ namespace alpenglow {
 
 namespace {
 
-constexpr std::uint8_t GROUND = 24;           // sRGB grey
+constexpr std::uint8_t GROUND = 24; // sRGB grey
 constexpr std::uint32_t TEXT_COLOR = 0xd0d0d0;
-constexpr std::uint32_t BORDER = 12;          // [pixels]
+constexpr std::uint32_t BORDER = 12; // [pixels]
 constexpr double WANTED_ASPECT = 1.6;
-constexpr std::uint32_t WIDE_CELL = 240;      // [pixels] room for some 25 letters of double size
+constexpr std::uint32_t WIDE_CELL = 240; // [pixels] room for some 25 letters of double size
 
 int text_scale(ContactSheetLayout const& layout) { return layout.cell.width >= WIDE_CELL ? 2 : 1; }
 
@@ -48,18 +48,22 @@ double badness(ContactSheetLayout const& layout, std::size_t frames) {
 
 Extent fitted(Extent picture, Extent cell) {
     bool const wide = std::uint64_t{picture.width} * cell.height >= std::uint64_t{cell.width} * picture.height;
-    std::uint32_t const width = wide ? cell.width : std::min(cell.width, scaled_side(picture.width, cell.height, picture.height));
-    std::uint32_t const height = wide ? std::min(cell.height, scaled_side(picture.height, cell.width, picture.width)) : cell.height;
+    std::uint32_t const width =
+        wide ? cell.width : std::min(cell.width, scaled_side(picture.width, cell.height, picture.height));
+    std::uint32_t const height =
+        wide ? std::min(cell.height, scaled_side(picture.height, cell.width, picture.width)) : cell.height;
     return {width, height};
 }
 
 } // namespace
 
 ContactSheetLayout lay_out_contact_sheet(std::size_t frames, Extent frame, std::uint32_t width) {
-    if (frames == 0 || frame.pixels() == 0) throw Error(ErrorKind::bad_input, "a contact sheet needs at least one frame");
+    if (frames == 0 || frame.pixels() == 0)
+        throw Error(ErrorKind::bad_input, "a contact sheet needs at least one frame");
     ContactSheetLayout best;
     double least = std::numeric_limits<double>::infinity();
-    auto const most = static_cast<std::uint32_t>(std::min<std::size_t>(frames, std::max<std::uint32_t>(width / (2 * BORDER), 1)));
+    auto const most =
+        static_cast<std::uint32_t>(std::min<std::size_t>(frames, std::max<std::uint32_t>(width / (2 * BORDER), 1)));
     for (std::uint32_t columns = 1; columns <= most; ++columns) {
         ContactSheetLayout const layout = with_columns(columns, frames, frame, width);
         if (double const b = badness(layout, frames); b < least) best = layout, least = b;
@@ -74,13 +78,15 @@ ContactSheet::ContactSheet(std::size_t frames, Extent frame, std::uint32_t width
 
 void ContactSheet::add(ByteImage const& picture, std::string_view caption) {
     assert(added_ < capacity_);
-    auto const column = static_cast<std::uint32_t>(added_ % layout_.columns), row = static_cast<std::uint32_t>(added_ / layout_.columns);
+    auto const column = static_cast<std::uint32_t>(added_ % layout_.columns),
+               row = static_cast<std::uint32_t>(added_ / layout_.columns);
     ++added_;
     std::uint32_t const left = layout_.border + column * (layout_.cell.width + layout_.border);
     std::uint32_t const top = layout_.border + row * (layout_.cell.height + layout_.caption + layout_.border);
 
     ByteImage const small = resample(picture, fitted(picture.extent, layout_.cell));
-    std::uint32_t const inset_x = (layout_.cell.width - small.extent.width) / 2, inset_y = (layout_.cell.height - small.extent.height) / 2;
+    std::uint32_t const inset_x = (layout_.cell.width - small.extent.width) / 2,
+                        inset_y = (layout_.cell.height - small.extent.height) / 2;
     for (std::uint32_t y = 0; y < small.extent.height; ++y) {
         std::copy_n(small.at(0, y), std::size_t{small.extent.width} * 4, sheet_.at(left + inset_x, top + inset_y + y));
     }

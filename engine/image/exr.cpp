@@ -80,7 +80,8 @@ Imf::FrameBuffer frame_buffer(float* first, Imath::Box2i const& window, std::siz
     std::size_t const row = PIXEL_BYTES * static_cast<std::size_t>(window.max.x - window.min.x + 1);
     Imf::FrameBuffer buffer;
     for (std::size_t c = 0; c < channels; ++c) {
-        buffer.insert(CHANNELS[c], Imf::Slice::Make(Imf::FLOAT, first + c, window, PIXEL_BYTES, row, 1, 1, c == 3 ? 1.0 : 0.0));
+        buffer.insert(CHANNELS[c],
+                      Imf::Slice::Make(Imf::FLOAT, first + c, window, PIXEL_BYTES, row, 1, 1, c == 3 ? 1.0 : 0.0));
     }
     return buffer;
 }
@@ -104,7 +105,8 @@ std::vector<std::byte> encode(FloatImage const& image) {
 }
 
 Extent checked_extent(Imath::Box2i const& window) {
-    auto const width = std::int64_t{window.max.x} - window.min.x + 1, height = std::int64_t{window.max.y} - window.min.y + 1;
+    auto const width = std::int64_t{window.max.x} - window.min.x + 1,
+               height = std::int64_t{window.max.y} - window.min.y + 1;
     if (width < 1 || height < 1 || width > LARGEST_SIDE || height > LARGEST_SIDE ||
         static_cast<std::size_t>(width * height) > MOST_PIXELS) {
         throw Error(ErrorKind::bad_input, "EXR picture of " + std::to_string(width) + "x" + std::to_string(height) +
@@ -117,7 +119,9 @@ void check_channels(Imf::ChannelList const& channels) {
     for (char const* const name : CHANNELS) {
         Imf::Channel const* const channel = channels.findChannel(name);
         if (!channel && *name == 'A') continue;
-        if (!channel) throw Error(ErrorKind::bad_input, std::string("EXR file has no channel ") + name, {}, "R, G and B are needed");
+        if (!channel)
+            throw Error(ErrorKind::bad_input, std::string("EXR file has no channel ") + name, {},
+                        "R, G and B are needed");
         if (channel->type == Imf::UINT || channel->xSampling != 1 || channel->ySampling != 1) {
             throw Error(ErrorKind::bad_input, std::string("EXR channel ") + name + " is of integers or subsampled", {},
                         "half or float at full resolution is needed");

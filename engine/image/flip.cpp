@@ -31,7 +31,8 @@ Color operator*(Matrix const& m, Color const& v) {
 Matrix inverse(Matrix const& m) {
     Matrix result{};
     auto const minor = [&](std::size_t r, std::size_t c) {
-        return m[(r + 1) % 3][(c + 1) % 3] * m[(r + 2) % 3][(c + 2) % 3] - m[(r + 1) % 3][(c + 2) % 3] * m[(r + 2) % 3][(c + 1) % 3];
+        return m[(r + 1) % 3][(c + 1) % 3] * m[(r + 2) % 3][(c + 2) % 3] -
+               m[(r + 1) % 3][(c + 2) % 3] * m[(r + 2) % 3][(c + 1) % 3];
     };
     double const determinant = m[0][0] * minor(0, 0) + m[0][1] * minor(0, 1) + m[0][2] * minor(0, 2);
     for (std::size_t r = 0; r < 3; ++r) {
@@ -66,7 +67,9 @@ Color rgb_from_ycxcz(Color const& c) {
 /// CIELAB with the Hunt effect: colours of little light look less colourful (section 4.1.3).
 Color hunt_lab_from_rgb(Color const& rgb) {
     constexpr double delta = 6.0 / 29;
-    auto const f = [](double t) { return t > delta * delta * delta ? std::cbrt(t) : t / (3 * delta * delta) + 4.0 / 29; };
+    auto const f = [](double t) {
+        return t > delta * delta * delta ? std::cbrt(t) : t / (3 * delta * delta) + 4.0 / 29;
+    };
     Color const t = xyz_over_white(rgb);
     double const lightness = 116 * f(t[1]) - 16;
     return {lightness, 0.01 * lightness * 500 * (f(t[0]) - f(t[1])), 0.01 * lightness * 200 * (f(t[1]) - f(t[2]))};
@@ -99,8 +102,10 @@ Plane convolve(Plane const& plane, Kernel const& kernel, bool horizontal) {
         for (long x = 0; x < width; ++x) {
             double sum = 0;
             for (long k = -radius; k <= radius; ++k) {
-                long const sx = horizontal ? std::clamp(x + k, 0L, width - 1) : x, sy = horizontal ? y : std::clamp(y + k, 0L, height - 1);
-                sum += kernel[static_cast<std::size_t>(k + radius)] * plane.values[static_cast<std::size_t>(sy * width + sx)];
+                long const sx = horizontal ? std::clamp(x + k, 0L, width - 1) : x,
+                           sy = horizontal ? y : std::clamp(y + k, 0L, height - 1);
+                sum += kernel[static_cast<std::size_t>(k + radius)] *
+                       plane.values[static_cast<std::size_t>(sy * width + sx)];
             }
             result.values[static_cast<std::size_t>(y * width + x)] = sum;
         }
@@ -108,7 +113,9 @@ Plane convolve(Plane const& plane, Kernel const& kernel, bool horizontal) {
     return result;
 }
 
-Plane convolve(Plane const& plane, Kernel const& across, Kernel const& down) { return convolve(convolve(plane, across, true), down, false); }
+Plane convolve(Plane const& plane, Kernel const& across, Kernel const& down) {
+    return convolve(convolve(plane, across, true), down, false);
+}
 
 Kernel sampled(long radius, std::function<double(double)> const& f) {
     Kernel kernel;
@@ -122,18 +129,22 @@ struct Lobe {
 };
 
 /// Achromatic, red-green, blue-yellow.
-constexpr std::array<std::array<Lobe, 2>, 3> SENSITIVITY{{{{{1, 0.0047}, {0, 1e-5}}}, {{{1, 0.0053}, {0, 1e-5}}}, {{{34.1, 0.04}, {13.5, 0.025}}}}};
+constexpr std::array<std::array<Lobe, 2>, 3> SENSITIVITY{
+    {{{{1, 0.0047}, {0, 1e-5}}}, {{{1, 0.0053}, {0, 1e-5}}}, {{{34.1, 0.04}, {13.5, 0.025}}}}};
 constexpr double WIDEST_LOBE = 0.04; // [square degrees]
 
 /// The channel as the eye resolves it: the sum of one or two Gaussians, normalized together.
 Plane seen(Plane const& plane, std::array<Lobe, 2> const& lobes, double pixels_per_degree) {
-    auto const radius = static_cast<long>(std::ceil(3 * std::sqrt(WIDEST_LOBE / (2 * M_PI * M_PI)) * pixels_per_degree));
+    auto const radius =
+        static_cast<long>(std::ceil(3 * std::sqrt(WIDEST_LOBE / (2 * M_PI * M_PI)) * pixels_per_degree));
     Plane result(plane.extent);
     double total = 0;
     for (Lobe const lobe : lobes) {
         if (lobe.a == 0) continue;
-        Kernel const kernel = sampled(radius, [&](double x) { return std::exp(-std::pow(M_PI * x / pixels_per_degree, 2) / lobe.b); });
-        double const sum = std::accumulate(kernel.begin(), kernel.end(), 0.0), weight = lobe.a * std::sqrt(M_PI / lobe.b);
+        Kernel const kernel =
+            sampled(radius, [&](double x) { return std::exp(-std::pow(M_PI * x / pixels_per_degree, 2) / lobe.b); });
+        double const sum = std::accumulate(kernel.begin(), kernel.end(), 0.0),
+                     weight = lobe.a * std::sqrt(M_PI / lobe.b);
         Plane const part = convolve(plane, kernel, kernel);
         for (std::size_t i = 0; i < result.values.size(); ++i) result.values[i] += weight * part.values[i];
         total += weight * sum * sum;
@@ -148,14 +159,16 @@ Channels opponent_channels(ByteImage const& image) {
     Channels channels{Plane(image.extent), Plane(image.extent), Plane(image.extent)};
     for (std::size_t i = 0; i < image.extent.pixels(); ++i) {
         std::uint8_t const* const p = &image.rgba[i * 4];
-        Color const c = ycxcz_from_rgb({linear_from_srgb_byte(p[0]), linear_from_srgb_byte(p[1]), linear_from_srgb_byte(p[2])});
+        Color const c =
+            ycxcz_from_rgb({linear_from_srgb_byte(p[0]), linear_from_srgb_byte(p[1]), linear_from_srgb_byte(p[2])});
         for (std::size_t k = 0; k < 3; ++k) channels[k].values[i] = c[k];
     }
     return channels;
 }
 
 std::vector<Color> perceived_colours(Channels const& channels, double pixels_per_degree) {
-    Channels const filtered{seen(channels[0], SENSITIVITY[0], pixels_per_degree), seen(channels[1], SENSITIVITY[1], pixels_per_degree),
+    Channels const filtered{seen(channels[0], SENSITIVITY[0], pixels_per_degree),
+                            seen(channels[1], SENSITIVITY[1], pixels_per_degree),
                             seen(channels[2], SENSITIVITY[2], pixels_per_degree)};
     std::vector<Color> colours(channels[0].values.size());
     for (std::size_t i = 0; i < colours.size(); ++i) {
@@ -193,7 +206,8 @@ Features find_features(Plane const& achromatic, double pixels_per_degree) {
     auto const magnitude = [&](Kernel const& kernel) {
         Plane result = convolve(grey, kernel, smooth);
         Plane const down = convolve(grey, smooth, kernel);
-        for (std::size_t i = 0; i < result.values.size(); ++i) result.values[i] = std::hypot(result.values[i], down.values[i]);
+        for (std::size_t i = 0; i < result.values.size(); ++i)
+            result.values[i] = std::hypot(result.values[i], down.values[i]);
         return result.values;
     };
     return {magnitude(edge), magnitude(point)};
@@ -216,7 +230,8 @@ FlipResult compute_flip(ByteImage const& reference, ByteImage const& test, doubl
     Channels const channels_a = opponent_channels(reference), channels_b = opponent_channels(test);
     std::vector<Color> const colours_a = perceived_colours(channels_a, pixels_per_degree);
     std::vector<Color> const colours_b = perceived_colours(channels_b, pixels_per_degree);
-    Features const a = find_features(channels_a[0], pixels_per_degree), b = find_features(channels_b[0], pixels_per_degree);
+    Features const a = find_features(channels_a[0], pixels_per_degree),
+                   b = find_features(channels_b[0], pixels_per_degree);
 
     FlipResult result;
     result.extent = reference.extent;

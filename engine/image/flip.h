@@ -18,6 +18,7 @@ struct FlipResult {
 /// LDR-FLIP: how different two sRGB pictures look when one flips between them. Alpha is left out. Andersson, Nilsson,
 /// Akenine-Möller, Oskarsson, Åström, Fairchild: "FLIP: A Difference Evaluator for Alternating Images", HPG 2020.
 /// Throws Error(bad_input) where the extents differ or there are no pixels.
-FlipResult compute_flip(ByteImage const& reference, ByteImage const& test, double pixels_per_degree = DEFAULT_PIXELS_PER_DEGREE);
+FlipResult compute_flip(ByteImage const& reference, ByteImage const& test,
+                        double pixels_per_degree = DEFAULT_PIXELS_PER_DEGREE);
 
 } // namespace alpenglow

@@ -24,7 +24,9 @@ struct ByteImage {
 
     explicit ByteImage(Extent e = {}) : extent(e), rgba(e.pixels() * 4) {}
     std::uint8_t* at(std::uint32_t x, std::uint32_t y) { return &rgba[(std::size_t{y} * extent.width + x) * 4]; }
-    std::uint8_t const* at(std::uint32_t x, std::uint32_t y) const { return &rgba[(std::size_t{y} * extent.width + x) * 4]; }
+    std::uint8_t const* at(std::uint32_t x, std::uint32_t y) const {
+        return &rgba[(std::size_t{y} * extent.width + x) * 4];
+    }
 };
 
 } // namespace alpenglow

@@ -7,14 +7,15 @@ namespace alpenglow {
 
 namespace {
 
-constexpr double AHEAD = 0.5;          // of the half width, from the focus along the view
-constexpr double LARGEST_RATIO = 6.0;  // of one cascade's width to the next: texels of 0.4 m near and 65 m far at 100 km
+constexpr double AHEAD = 0.5;         // of the half width, from the focus along the view
+constexpr double LARGEST_RATIO = 6.0; // of one cascade's width to the next: texels of 0.4 m near and 65 m far at 100 km
 constexpr double SIZE_STEP = 1.189207; // 2^(1/4): sizes are rounded up to powers of it, so that they rarely change
 
 double rounded_up(double size) { return std::pow(SIZE_STEP, std::ceil(std::log(size) / std::log(SIZE_STEP) - 1e-9)); }
 
 glm::dvec3 corner(Box const& box, int i) {
-    return {i & 1 ? box.highest.x : box.lowest.x, i & 2 ? box.highest.y : box.lowest.y, i & 4 ? box.highest.z : box.lowest.z};
+    return {i & 1 ? box.highest.x : box.lowest.x, i & 2 ? box.highest.y : box.lowest.y,
+            i & 4 ? box.highest.z : box.lowest.z};
 }
 
 } // namespace
@@ -26,15 +27,18 @@ glm::dmat3 light_from_world(glm::dvec3 const& to_sun, glm::dmat3 const& axes) {
     return glm::transpose(glm::dmat3(x, glm::cross(z, x), z));
 }
 
-ShadowFit fit_cascades(ShadowScene const& scene, Camera const& camera, glm::dvec3 const& to_sun, ShadowSettings const& settings) {
+ShadowFit fit_cascades(ShadowScene const& scene, Camera const& camera, glm::dvec3 const& to_sun,
+                       ShadowSettings const& settings) {
     ShadowFit fit;
     glm::dmat3 const axes(scene.world_from_scene);
-    fit.light_from_world = light_from_world(to_sun, {glm::normalize(axes[0]), glm::normalize(axes[1]), glm::normalize(axes[2])});
+    fit.light_from_world =
+        light_from_world(to_sun, {glm::normalize(axes[0]), glm::normalize(axes[1]), glm::normalize(axes[2])});
     if (scene.bounds.empty()) return fit;
 
     fit.nearest = std::numeric_limits<double>::infinity(), fit.farthest = -fit.nearest;
     for (int i = 0; i < 8; ++i) {
-        double const z = (fit.light_from_world * glm::dvec3(scene.world_from_scene * glm::dvec4(corner(scene.bounds, i), 1.0))).z;
+        double const z =
+            (fit.light_from_world * glm::dvec3(scene.world_from_scene * glm::dvec4(corner(scene.bounds, i), 1.0))).z;
         fit.nearest = std::min(fit.nearest, z), fit.farthest = std::max(fit.farthest, z);
     }
     double const margin = 0.01 * (fit.farthest - fit.nearest) + 1e-3;
@@ -44,7 +48,8 @@ ShadowFit fit_cascades(ShadowScene const& scene, Camera const& camera, glm::dvec
     glm::dvec3 const nearest = glm::clamp(camera_in_scene, scene.bounds.lowest, scene.bounds.highest);
     glm::dvec3 const focus(scene.world_from_scene * glm::dvec4(nearest, 1.0));
     double const distance = glm::distance(focus, camera.position);
-    double const diagonal = glm::length(glm::dmat3(scene.world_from_scene) * (scene.bounds.highest - scene.bounds.lowest));
+    double const diagonal =
+        glm::length(glm::dmat3(scene.world_from_scene) * (scene.bounds.highest - scene.bounds.lowest));
 
     double const coarsest = rounded_up(std::min(settings.reach, diagonal) / (1.0 + AHEAD));
     // Finer than this a texel would be far below a pixel.
@@ -74,7 +79,9 @@ bool in_view(Camera const& camera, double aspect, Sphere const& sphere) {
     glm::dvec3 const p = glm::transpose(camera.world_from_camera) * (sphere.centre - camera.position);
     double const ty = std::tan(0.5 * camera.vertical_fov), tx = ty * aspect;
     // Signed distance outside a side of the view, whose normal leans back by the side's slope.
-    auto const outside = [&](double across, double slope) { return (std::abs(across) + p.z * slope) / std::sqrt(1.0 + slope * slope); };
+    auto const outside = [&](double across, double slope) {
+        return (std::abs(across) + p.z * slope) / std::sqrt(1.0 + slope * slope);
+    };
     return p.z <= sphere.radius && outside(p.x, tx) <= sphere.radius && outside(p.y, ty) <= sphere.radius;
 }
 

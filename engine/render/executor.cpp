@@ -15,7 +15,9 @@ constexpr std::uint32_t WORKGROUP = 8;                        // interop/languag
 
 using Clock = std::chrono::steady_clock;
 
-double milliseconds_since(Clock::time_point start) { return std::chrono::duration<double, std::milli>(Clock::now() - start).count(); }
+double milliseconds_since(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
 
 VkImageUsageFlags transient_usage(ImageShape const& shape) {
     VkImageUsageFlags const common = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
@@ -60,7 +62,8 @@ struct Executor::Recording {
     VkCommandBuffer commands() const { return slot.commands; }
 };
 
-Executor::Executor(Device const& device, std::uint32_t frames_in_flight) : device_(device), pipelines_(device), samplers_(device) {
+Executor::Executor(Device const& device, std::uint32_t frames_in_flight)
+    : device_(device), pipelines_(device), samplers_(device) {
     for (std::uint32_t i = 0; i < frames_in_flight; ++i) {
         InFlight& slot = *slots_.emplace_back(std::make_unique<InFlight>());
         VkCommandPoolCreateInfo pool{};
@@ -102,14 +105,18 @@ void Executor::collect(InFlight& slot) {
     if (!slot.submitted) return;
     VkResult const result = vkWaitForFences(device_.handle(), 1, &slot.fence, VK_TRUE, DEVICE_PATIENCE_NS);
     check(result, "waiting for a frame");
-    if (result == VK_TIMEOUT) throw Error(ErrorKind::device, "the device did not answer for two minutes", device_.name(), "try a smaller --size or fewer --set samples=N");
+    if (result == VK_TIMEOUT)
+        throw Error(ErrorKind::device, "the device did not answer for two minutes", device_.name(),
+                    "try a smaller --size or fewer --set samples=N");
     check(vkResetFences(device_.handle(), 1, &slot.fence), "resetting a fence");
     slot.submitted = false;
 
     std::vector<std::uint64_t> stamps(2 * slot.passes.size());
     if (!stamps.empty()) {
-        check(vkGetQueryPoolResults(device_.handle(), slot.queries, 0, static_cast<std::uint32_t>(stamps.size()), stamps.size() * 8,
-                                    stamps.data(), 8, VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT), "reading timers");
+        check(vkGetQueryPoolResults(device_.handle(), slot.queries, 0, static_cast<std::uint32_t>(stamps.size()),
+                                    stamps.size() * 8, stamps.data(), 8,
+                                    VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
+              "reading timers");
     }
     timings_.clear();
     double const ms_per_tick = static_cast<double>(device_.limits().timestampPeriod) * 1e-6;
@@ -142,7 +149,8 @@ void Executor::upload_constants(InFlight& slot, FrameGraph const& graph) {
         bytes += (block.size() + alignment - 1) / alignment * alignment;
     }
     if (!slot.constants || slot.constants->bytes() < bytes) {
-        slot.constants = std::make_unique<GpuBuffer>(device_, std::max<VkDeviceSize>(bytes, 1), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, BufferHome::host, "constants");
+        slot.constants = std::make_unique<GpuBuffer>(device_, std::max<VkDeviceSize>(bytes, 1),
+                                                     VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, BufferHome::host, "constants");
     }
     for (std::size_t i = 0; i < slot.offsets.size(); ++i) {
         auto const& block = graph.constant_blocks()[i];
@@ -238,7 +246,8 @@ void Executor::record_barriers_of(Recording& recording, std::vector<PlannedBarri
     record_barriers(recording.commands(), list);
 }
 
-void Executor::push_slots(Recording& recording, VkPipelineBindPoint point, VkPipelineLayout layout, std::vector<Slot> const& slots) {
+void Executor::push_slots(Recording& recording, VkPipelineBindPoint point, VkPipelineLayout layout,
+                          std::vector<Slot> const& slots) {
     std::vector<VkDescriptorImageInfo> images(slots.size());
     std::vector<VkDescriptorBufferInfo> buffers(slots.size());
     std::vector<VkWriteDescriptorSet> writes(slots.size());
@@ -252,7 +261,8 @@ void Executor::push_slots(Recording& recording, VkPipelineBindPoint point, VkPip
         writes[i].pBufferInfo = &buffers[i];
         if (slot.type == VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER) {
             std::uint32_t const block = slot.constants.index;
-            buffers[i] = {recording.slot.constants->handle(), recording.slot.offsets.at(block), recording.graph.constant_blocks()[block].size()};
+            buffers[i] = {recording.slot.constants->handle(), recording.slot.offsets.at(block),
+                          recording.graph.constant_blocks()[block].size()};
             continue;
         }
         GpuImage const& image = *recording.images[slot.image.index];
@@ -260,7 +270,8 @@ void Executor::push_slots(Recording& recording, VkPipelineBindPoint point, VkPip
         images[i].imageLayout = state_of(slot.use).layout;
         if (slot.type == VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER) images[i].sampler = samplers_.get(slot.sampler);
     }
-    device_.push_descriptors()(recording.commands(), point, layout, 0, static_cast<std::uint32_t>(writes.size()), writes.data());
+    device_.push_descriptors()(recording.commands(), point, layout, 0, static_cast<std::uint32_t>(writes.size()),
+                               writes.data());
 }
 
 void Executor::record(Recording& recording, ComputePass const& pass) {
@@ -269,14 +280,17 @@ void Executor::record(Recording& recording, ComputePass const& pass) {
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.handle());
     push_slots(recording, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.layout(), pass.slots);
     if (!pass.push.empty()) {
-        vkCmdPushConstants(commands, pipeline.layout(), VK_SHADER_STAGE_COMPUTE_BIT, 0, static_cast<std::uint32_t>(pass.push.size()), pass.push.data());
+        vkCmdPushConstants(commands, pipeline.layout(), VK_SHADER_STAGE_COMPUTE_BIT, 0,
+                           static_cast<std::uint32_t>(pass.push.size()), pass.push.data());
     }
-    vkCmdDispatch(commands, (pass.threads.width + WORKGROUP - 1) / WORKGROUP, (pass.threads.height + WORKGROUP - 1) / WORKGROUP, 1);
+    vkCmdDispatch(commands, (pass.threads.width + WORKGROUP - 1) / WORKGROUP,
+                  (pass.threads.height + WORKGROUP - 1) / WORKGROUP, 1);
 }
 
 class Executor::Draw final : public DrawContext {
 public:
-    Draw(Executor& executor, Recording& recording, RasterPass const& pass) : executor_(executor), recording_(recording), pass_(pass) {}
+    Draw(Executor& executor, Recording& recording, RasterPass const& pass)
+        : executor_(executor), recording_(recording), pass_(pass) {}
 
     VkCommandBuffer commands() const override { return recording_.commands(); }
 
@@ -289,7 +303,8 @@ public:
         executor_.push_slots(recording_, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_, pass_.slots);
     }
     void push(std::span<std::byte const> bytes) override {
-        vkCmdPushConstants(commands(), layout_, VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0, static_cast<std::uint32_t>(bytes.size()), bytes.data());
+        vkCmdPushConstants(commands(), layout_, VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0,
+                           static_cast<std::uint32_t>(bytes.size()), bytes.data());
     }
     void bind_set1(VkDescriptorSet set) override {
         vkCmdBindDescriptorSets(commands(), VK_PIPELINE_BIND_POINT_GRAPHICS, layout_, 1, 1, &set, 0, nullptr);
@@ -306,12 +321,14 @@ void Executor::record(Recording& recording, RasterPass const& pass) {
     Extent extent{};
     std::vector<VkRenderingAttachmentInfo> colors;
     for (ImageId color : pass.colors) {
-        colors.push_back(attachment(recording.images[color.index]->view(), VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, pass.clear_colors));
+        colors.push_back(attachment(recording.images[color.index]->view(), VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
+                                    pass.clear_colors));
         extent = recording.graph.shape(color).extent;
     }
     VkRenderingAttachmentInfo depth{};
     if (pass.depth) {
-        depth = attachment(recording.images[pass.depth.index]->layer_view(pass.depth_layer), VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, pass.clear_depth.has_value());
+        depth = attachment(recording.images[pass.depth.index]->layer_view(pass.depth_layer),
+                           VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, pass.clear_depth.has_value());
         depth.clearValue.depthStencil.depth = pass.clear_depth.value_or(0.0f);
         extent = recording.graph.shape(pass.depth).extent;
     }

@@ -19,9 +19,9 @@ struct PresentSync {
     VkSemaphore finished = VK_NULL_HANDLE; ///< the picture may be shown
 };
 
-/// Runs frame graphs on a device: derives descriptors, group counts, barriers, labels and timings from the declarations.
-/// Keeps transient images, pipelines and samplers from frame to frame. Frames in flight have their own copies of what the
-/// CPU writes.
+/// Runs frame graphs on a device: derives descriptors, group counts, barriers, labels and timings from the
+/// declarations. Keeps transient images, pipelines and samplers from frame to frame. Frames in flight have their own
+/// copies of what the CPU writes.
 class Executor {
 public:
     explicit Executor(Device const& device, std::uint32_t frames_in_flight = 1);
@@ -45,7 +45,8 @@ private:
     void record_barriers_of(Recording& recording, std::vector<PlannedBarrier> const& barriers);
     void record(Recording& recording, ComputePass const& pass);
     void record(Recording& recording, RasterPass const& pass);
-    void push_slots(Recording& recording, VkPipelineBindPoint point, VkPipelineLayout layout, std::vector<Slot> const& slots);
+    void push_slots(Recording& recording, VkPipelineBindPoint point, VkPipelineLayout layout,
+                    std::vector<Slot> const& slots);
     void submit_commands(InFlight& slot, PresentSync const& sync);
 
     class Draw;

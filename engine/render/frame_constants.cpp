@@ -26,7 +26,8 @@ glm::mat4 cascade_clip(ShadowFit const& fit, CascadeFit const& cascade, glm::dve
     glm::dmat4 clip(1.0);
     clip[0][0] = clip[1][1] = scale;
     clip[2][2] = depth;
-    clip[3] = glm::dvec4((glm::dvec2(camera_in_light) - cascade.centre) * scale, (camera_in_light.z - fit.nearest) * depth, 1.0);
+    clip[3] = glm::dvec4((glm::dvec2(camera_in_light) - cascade.centre) * scale,
+                         (camera_in_light.z - fit.nearest) * depth, 1.0);
     return glm::mat4(clip * glm::dmat4(fit.light_from_world));
 }
 
@@ -61,8 +62,8 @@ int flags_of(World const& world, Settings const& settings, bool cascades) {
     return flags;
 }
 
-/// Above this nothing can be shaded by a mesh as high as `ceiling`: higher than the meshes where the sun stands below the
-/// horizon, because its rays come up from under the level.
+/// Above this nothing can be shaded by a mesh as high as `ceiling`: higher than the meshes where the sun stands below
+/// the horizon, because its rays come up from under the level.
 double shadow_ceiling(World const& world, double ceiling) {
     double const sine = std::min(glm::dot(glm::normalize(world.camera.position), world.to_sun), 0.0);
     double const radius = world.planet.radius;
@@ -100,8 +101,8 @@ shader::Atmosphere atmosphere_of(Planet const& planet) {
     return a;
 }
 
-shader::FrameConstants make_frame_constants(World const& world, Settings const& settings, Extent extent, ShadowFit const& shadow,
-                                            double ceiling, int sample_index) {
+shader::FrameConstants make_frame_constants(World const& world, Settings const& settings, Extent extent,
+                                            ShadowFit const& shadow, double ceiling, int sample_index) {
     Camera const& camera = world.camera;
     shader::FrameConstants frame{};
     frame.atmosphere = atmosphere_of(world.planet);

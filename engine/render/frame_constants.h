@@ -10,7 +10,8 @@ namespace alpenglow {
 
 constexpr double NEAR_PLANE = 0.1; // [m]
 
-/// The supersamples of one pixel: offsets in pixels from its centre; a single one is the centre itself. `count` is a square number.
+/// The supersamples of one pixel: offsets in pixels from its centre; a single one is the centre itself. `count` is a
+/// square number.
 glm::dvec2 supersample_offset(int index, int count);
 
 /// interop/display.h's constant for a tone curve's name in the settings.
@@ -19,7 +20,7 @@ int curve_index(std::string_view name);
 shader::Atmosphere atmosphere_of(Planet const& planet);
 
 /// Everything the shaders know of a frame. `ceiling` [m]: the highest place of any mesh above the planet's radius.
-shader::FrameConstants make_frame_constants(World const& world, Settings const& settings, Extent extent, ShadowFit const& shadow,
-                                            double ceiling, int sample_index);
+shader::FrameConstants make_frame_constants(World const& world, Settings const& settings, Extent extent,
+                                            ShadowFit const& shadow, double ceiling, int sample_index);
 
 } // namespace alpenglow

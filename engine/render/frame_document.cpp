@@ -39,23 +39,34 @@ std::string names(FrameGraph const& graph, PlannedPass const& pass, bool (*chose
 std::string pass_line(FrameGraph const& graph, std::size_t index, PlannedPass const& planned, std::size_t repeats) {
     bool const compute = std::holds_alternative<ComputePass>(graph.passes()[index].work);
     std::string const times = repeats > 1 ? fmt::format(" ({} times)", repeats) : "";
-    return fmt::format("| {}{} | {} | {} | {} |\n", planned.name, times, compute ? "compute" : "raster", names(graph, planned, reads),
-                       names(graph, planned, writes));
+    return fmt::format("| {}{} | {} | {} | {} |\n", planned.name, times, compute ? "compute" : "raster",
+                       names(graph, planned, reads), names(graph, planned, writes));
 }
 
 char const* format_name(VkFormat format) {
     switch (format) {
-    case VK_FORMAT_R8G8_UNORM: return "R8G8_UNORM";
-    case VK_FORMAT_R8G8B8A8_UNORM: return "R8G8B8A8_UNORM";
-    case VK_FORMAT_R8G8B8A8_SRGB: return "R8G8B8A8_SRGB";
-    case VK_FORMAT_B8G8R8A8_UNORM: return "B8G8R8A8_UNORM";
-    case VK_FORMAT_B10G11R11_UFLOAT_PACK32: return "B10G11R11_UFLOAT";
-    case VK_FORMAT_R16G16B16A16_SNORM: return "R16G16B16A16_SNORM";
-    case VK_FORMAT_R16G16B16A16_SFLOAT: return "R16G16B16A16_SFLOAT";
-    case VK_FORMAT_R32_SFLOAT: return "R32_SFLOAT";
-    case VK_FORMAT_R32G32B32A32_SFLOAT: return "R32G32B32A32_SFLOAT";
-    case VK_FORMAT_D32_SFLOAT: return "D32_SFLOAT";
-    default: return "unknown";
+    case VK_FORMAT_R8G8_UNORM:
+        return "R8G8_UNORM";
+    case VK_FORMAT_R8G8B8A8_UNORM:
+        return "R8G8B8A8_UNORM";
+    case VK_FORMAT_R8G8B8A8_SRGB:
+        return "R8G8B8A8_SRGB";
+    case VK_FORMAT_B8G8R8A8_UNORM:
+        return "B8G8R8A8_UNORM";
+    case VK_FORMAT_B10G11R11_UFLOAT_PACK32:
+        return "B10G11R11_UFLOAT";
+    case VK_FORMAT_R16G16B16A16_SNORM:
+        return "R16G16B16A16_SNORM";
+    case VK_FORMAT_R16G16B16A16_SFLOAT:
+        return "R16G16B16A16_SFLOAT";
+    case VK_FORMAT_R32_SFLOAT:
+        return "R32_SFLOAT";
+    case VK_FORMAT_R32G32B32A32_SFLOAT:
+        return "R32G32B32A32_SFLOAT";
+    case VK_FORMAT_D32_SFLOAT:
+        return "D32_SFLOAT";
+    default:
+        return "unknown";
     }
 }
 
@@ -66,8 +77,9 @@ std::string size_text(ImageShape const& shape, Extent frame) {
 }
 
 std::string image_line(FrameGraph::Image const& image, Extent frame) {
-    return fmt::format("| {} | {} | {} | {} | {} |\n", image.name, format_name(image.shape.format), bytes_per_texel(image.shape.format),
-                       size_text(image.shape, frame), image.imported ? "kept" : "for the frame");
+    return fmt::format("| {} | {} | {} | {} | {} |\n", image.name, format_name(image.shape.format),
+                       bytes_per_texel(image.shape.format), size_text(image.shape, frame),
+                       image.imported ? "kept" : "for the frame");
 }
 
 } // namespace
@@ -76,7 +88,9 @@ std::string frame_document(FrameGraph const& graph) {
     std::string text = HEAD;
     std::vector<PlannedPass> const passes = graph.planned_passes();
     for (std::size_t i = 0, next = 0; i < graph.passes().size(); i = next) {
-        for (next = i + 1; next < graph.passes().size() && pass_line(graph, next, passes[next], 1) == pass_line(graph, i, passes[i], 1);) ++next;
+        for (next = i + 1; next < graph.passes().size() &&
+                           pass_line(graph, next, passes[next], 1) == pass_line(graph, i, passes[i], 1);)
+            ++next;
         text += pass_line(graph, i, passes[i], next - i);
     }
     text += IMAGES;

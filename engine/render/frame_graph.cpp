@@ -9,7 +9,8 @@ namespace {
 void refuse_repeated_slots(std::string const& pass, std::vector<Slot> const& slots) {
     for (std::size_t i = 0; i < slots.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
-            if (slots[i].slot == slots[j].slot) throw GraphError("pass " + pass + " binds slot " + std::to_string(slots[i].slot) + " twice");
+            if (slots[i].slot == slots[j].slot)
+                throw GraphError("pass " + pass + " binds slot " + std::to_string(slots[i].slot) + " twice");
         }
     }
 }
@@ -29,8 +30,10 @@ PlannedPass planned(std::string const& name, ComputePass const& pass) {
 PlannedPass planned(std::string const& name, RasterPass const& pass) {
     PlannedPass result{name, {}};
     add_slot_accesses(result.accesses, pass.slots);
-    for (ImageId color : pass.colors) result.accesses.push_back({color, pass.clear_colors ? ImageUse::color_clear : ImageUse::color_update});
-    if (pass.depth) result.accesses.push_back({pass.depth, pass.clear_depth ? ImageUse::depth_clear : ImageUse::depth_update});
+    for (ImageId color : pass.colors)
+        result.accesses.push_back({color, pass.clear_colors ? ImageUse::color_clear : ImageUse::color_update});
+    if (pass.depth)
+        result.accesses.push_back({pass.depth, pass.clear_depth ? ImageUse::depth_clear : ImageUse::depth_update});
     return result;
 }
 

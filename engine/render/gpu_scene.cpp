@@ -36,23 +36,25 @@ glm::dvec3 transformed(glm::dmat4 const& m, glm::dvec3 const& p) { return glm::d
 Sphere sphere_of(Box const& box, glm::dmat4 const& world_from_mesh) {
     Sphere sphere{transformed(world_from_mesh, box.centre()), 0};
     for (int corner = 0; corner < 8; ++corner) {
-        glm::dvec3 const p(corner & 1 ? box.highest.x : box.lowest.x, corner & 2 ? box.highest.y : box.lowest.y, corner & 4 ? box.highest.z : box.lowest.z);
+        glm::dvec3 const p(corner & 1 ? box.highest.x : box.lowest.x, corner & 2 ? box.highest.y : box.lowest.y,
+                           corner & 4 ? box.highest.z : box.lowest.z);
         sphere.radius = std::max(sphere.radius, glm::distance(transformed(world_from_mesh, p), sphere.centre));
     }
     return sphere;
 }
 
-/// The two floats whose sum is x. The first goes through memory: GCC 12 at -O3 takes a vectorized way to float and back for nothing,
-/// and the second would be 0.
+/// The two floats whose sum is x. The first goes through memory: GCC 12 at -O3 takes a vectorized way to float and back
+/// for nothing, and the second would be 0.
 void split(double x, float& high, float& low) {
-    float volatile const rounded = static_cast<float>(x);
+    float const volatile rounded = static_cast<float>(x);
     high = rounded;
     low = static_cast<float>(x - high);
 }
 
 } // namespace
 
-shader::MeshDraw make_mesh_draw(glm::dmat4 const& world_from_mesh, glm::dmat4 const& mesh_from_world, glm::dvec3 const& camera, int projection) {
+shader::MeshDraw make_mesh_draw(glm::dmat4 const& world_from_mesh, glm::dmat4 const& mesh_from_world,
+                                glm::dvec3 const& camera, int projection) {
     glm::dvec3 const in_mesh = transformed(mesh_from_world, camera);
     shader::MeshDraw draw{};
     draw.world_from_mesh = glm::mat3(world_from_mesh);
@@ -62,8 +64,8 @@ shader::MeshDraw make_mesh_draw(glm::dmat4 const& world_from_mesh, glm::dmat4 co
 }
 
 GpuScene::GpuScene(Device const& device, Scene const& scene, Placement const& placement, double planet_radius)
-    : device_(device), world_from_scene_(alpenglow::world_from_scene(placement, planet_radius)), planet_radius_(planet_radius),
-      bounds_(scene.bounds), materials_(std::make_unique<MaterialSets>(device, scene)) {
+    : device_(device), world_from_scene_(alpenglow::world_from_scene(placement, planet_radius)),
+      planet_radius_(planet_radius), bounds_(scene.bounds), materials_(std::make_unique<MaterialSets>(device, scene)) {
     upload_meshes(scene);
     add_items(scene);
 }
@@ -90,7 +92,8 @@ void GpuScene::upload_meshes(Scene const& scene) {
     }
     auto const make = [&](auto const& data, VkBufferUsageFlags usage, char const* name) {
         std::span const bytes = std::as_bytes(std::span(data));
-        auto buffer = std::make_unique<GpuBuffer>(device_, std::max<std::size_t>(bytes.size(), 4), usage | VK_BUFFER_USAGE_TRANSFER_DST_BIT, BufferHome::device, name);
+        auto buffer = std::make_unique<GpuBuffer>(device_, std::max<std::size_t>(bytes.size(), 4),
+                                                  usage | VK_BUFFER_USAGE_TRANSFER_DST_BIT, BufferHome::device, name);
         if (!bytes.empty()) upload(device_, *buffer, bytes);
         return buffer;
     };
@@ -102,21 +105,28 @@ void GpuScene::add_items(Scene const& scene) {
     for (Instance const& instance : scene.instances) {
         auto const index = static_cast<std::uint32_t>(instances_.size());
         glm::dmat4 const world_from_mesh = world_from_scene_ * instance.scene_from_mesh;
-        instances_.push_back({world_from_mesh, glm::inverse(world_from_mesh), glm::determinant(glm::dmat3(world_from_mesh)) < 0});
+        instances_.push_back(
+            {world_from_mesh, glm::inverse(world_from_mesh), glm::determinant(glm::dmat3(world_from_mesh)) < 0});
         for (MeshPart const& part : scene.meshes[instance.mesh].parts) {
-            DrawItem item{index_offsets_[instance.mesh] + part.first_index, part.index_count, vertex_offsets_[instance.mesh], part.material, index,
+            DrawItem item{index_offsets_[instance.mesh] + part.first_index,
+                          part.index_count,
+                          vertex_offsets_[instance.mesh],
+                          part.material,
+                          index,
                           sphere_of(part.bounds, world_from_mesh)};
             has_masked_ = has_masked_ || (*materials_)[part.material].masked;
             triangles_ += part.index_count / 3;
             items_.push_back(item);
         }
         for (Vertex const& vertex : scene.meshes[instance.mesh].vertices) {
-            highest_altitude_ = std::max(highest_altitude_, glm::length(transformed(world_from_mesh, vertex.position)) - planet_radius_);
+            highest_altitude_ = std::max(highest_altitude_,
+                                         glm::length(transformed(world_from_mesh, vertex.position)) - planet_radius_);
         }
     }
 }
 
-void GpuScene::draw(DrawContext& context, std::span<std::uint32_t const> items, glm::dvec3 const& camera, int projection, Which which, bool cull) const {
+void GpuScene::draw(DrawContext& context, std::span<std::uint32_t const> items, glm::dvec3 const& camera,
+                    int projection, Which which, bool cull) const {
     VkCommandBuffer const commands = context.commands();
     VkDeviceSize const start = 0;
     VkBuffer const vertices = vertices_->handle();

@@ -24,8 +24,10 @@ struct DrawItem {
     Sphere bounds;
 };
 
-/// What the vertex shader needs to draw an instance, with the matrix `projection` of interop/frame.h. `camera`: world [m].
-shader::MeshDraw make_mesh_draw(glm::dmat4 const& world_from_mesh, glm::dmat4 const& mesh_from_world, glm::dvec3 const& camera, int projection);
+/// What the vertex shader needs to draw an instance, with the matrix `projection` of interop/frame.h. `camera`: world
+/// [m].
+shader::MeshDraw make_mesh_draw(glm::dmat4 const& world_from_mesh, glm::dmat4 const& mesh_from_world,
+                                glm::dvec3 const& camera, int projection);
 
 /// A scene on the device, standing on a planet: one vertex and one index buffer, a descriptor set for each material.
 class GpuScene {
@@ -37,13 +39,15 @@ public:
 
     std::vector<DrawItem> const& items() const { return items_; }
     std::size_t triangles() const { return triangles_; }
-    Box const& bounds() const { return bounds_; }                          ///< scene frame
+    Box const& bounds() const { return bounds_; } ///< scene frame
     glm::dmat4 const& world_from_scene() const { return world_from_scene_; }
-    double highest_altitude() const { return highest_altitude_; }          ///< [m] above the planet's radius
+    double highest_altitude() const { return highest_altitude_; } ///< [m] above the planet's radius
 
-    /// Draws those of the items whose material fits into the current pass, with the matrix `projection` of interop/frame.h.
+    /// Draws those of the items whose material fits into the current pass, with the matrix `projection` of
+    /// interop/frame.h.
     enum class Which { all, opaque, masked };
-    void draw(DrawContext& context, std::span<std::uint32_t const> items, glm::dvec3 const& camera, int projection, Which which, bool cull) const;
+    void draw(DrawContext& context, std::span<std::uint32_t const> items, glm::dvec3 const& camera, int projection,
+              Which which, bool cull) const;
     bool has_masked() const { return has_masked_; }
     VkDescriptorSetLayout material_layout() const { return materials_->layout(); }
     static VertexLayout vertex_layout();

@@ -28,7 +28,8 @@ shader::MaterialConstants constants_of(Material const& material) {
     constants.normal_scale = material.normal_scale;
     constants.occlusion_strength = material.occlusion_strength;
     constants.alpha_cutoff = material.alpha_cutoff;
-    constants.flags = (material.alpha_mask ? MATERIAL_ALPHA_MASK : 0) | (material.double_sided ? MATERIAL_DOUBLE_SIDED : 0) |
+    constants.flags = (material.alpha_mask ? MATERIAL_ALPHA_MASK : 0) |
+                      (material.double_sided ? MATERIAL_DOUBLE_SIDED : 0) |
                       (material.normal_texture ? MATERIAL_NORMAL_MAP : 0);
     auto const textures = textures_of(material);
     for (std::size_t i = 0; i < textures.size(); ++i) constants.uv_sets |= textures[i]->uv_set << i;
@@ -37,14 +38,19 @@ shader::MaterialConstants constants_of(Material const& material) {
 
 VkSamplerAddressMode address_mode(TextureWrap wrap) {
     switch (wrap) {
-    case TextureWrap::mirror: return VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT;
-    case TextureWrap::clamp: return VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
-    default: return VK_SAMPLER_ADDRESS_MODE_REPEAT;
+    case TextureWrap::mirror:
+        return VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT;
+    case TextureWrap::clamp:
+        return VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+    default:
+        return VK_SAMPLER_ADDRESS_MODE_REPEAT;
     }
 }
 
 SamplerState sampler_state(Texture const& texture) {
-    auto const filter = [](TextureFilter f) { return f == TextureFilter::linear ? VK_FILTER_LINEAR : VK_FILTER_NEAREST; };
+    auto const filter = [](TextureFilter f) {
+        return f == TextureFilter::linear ? VK_FILTER_LINEAR : VK_FILTER_NEAREST;
+    };
     SamplerState state{filter(texture.magnify), filter(texture.minify)};
     state.use_mips = texture.mipmaps;
     state.mips = VK_SAMPLER_MIPMAP_MODE_LINEAR;
@@ -53,9 +59,13 @@ SamplerState sampler_state(Texture const& texture) {
     return state;
 }
 
-std::unique_ptr<GpuImage> make_picture(Device const& device, Extent extent, bool srgb, std::span<std::uint8_t const> rgba, std::string const& name) {
-    ImageShape const shape{srgb ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM, extent, 1, full_mip_count(extent)};
-    auto image = std::make_unique<GpuImage>(device, shape, VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT, name);
+std::unique_ptr<GpuImage> make_picture(Device const& device, Extent extent, bool srgb,
+                                       std::span<std::uint8_t const> rgba, std::string const& name) {
+    ImageShape const shape{srgb ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM, extent, 1,
+                           full_mip_count(extent)};
+    auto image = std::make_unique<GpuImage>(
+        device, shape, VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
+        name);
     upload(device, *image, std::as_bytes(rgba));
     return image;
 }
@@ -78,9 +88,11 @@ MaterialSets::~MaterialSets() {
 
 void MaterialSets::make_layout() {
     std::vector<VkDescriptorSetLayoutBinding> bindings;
-    bindings.push_back({MATERIAL_CONSTANTS_SLOT, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, VK_SHADER_STAGE_FRAGMENT_BIT, nullptr});
+    bindings.push_back(
+        {MATERIAL_CONSTANTS_SLOT, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, VK_SHADER_STAGE_FRAGMENT_BIT, nullptr});
     for (std::uint32_t i = 0; i < MATERIAL_TEXTURES; ++i) {
-        bindings.push_back({MATERIAL_BASE_COLOR_SLOT + i, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1, VK_SHADER_STAGE_FRAGMENT_BIT, nullptr});
+        bindings.push_back({MATERIAL_BASE_COLOR_SLOT + i, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1,
+                            VK_SHADER_STAGE_FRAGMENT_BIT, nullptr});
     }
     VkDescriptorSetLayoutCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
@@ -91,8 +103,9 @@ void MaterialSets::make_layout() {
 
 void MaterialSets::make_pool(std::uint32_t materials) {
     std::uint32_t const sets = std::max(materials, 1u);
-    std::array const sizes = {VkDescriptorPoolSize{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, sets},
-                              VkDescriptorPoolSize{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, sets * MATERIAL_TEXTURES}};
+    std::array const sizes = {
+        VkDescriptorPoolSize{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, sets},
+        VkDescriptorPoolSize{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, sets * MATERIAL_TEXTURES}};
     VkDescriptorPoolCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
     info.maxSets = sets;
@@ -105,7 +118,8 @@ void MaterialSets::upload_constants(Scene const& scene) {
     VkDeviceSize const alignment = std::max<VkDeviceSize>(device_.limits().minUniformBufferOffsetAlignment, 16);
     stride_ = (sizeof(shader::MaterialConstants) + alignment - 1) / alignment * alignment;
     VkDeviceSize const bytes = stride_ * std::max<std::size_t>(scene.materials.size(), 1);
-    constants_ = std::make_unique<GpuBuffer>(device_, bytes, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, BufferHome::host, "materials");
+    constants_ =
+        std::make_unique<GpuBuffer>(device_, bytes, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, BufferHome::host, "materials");
     for (std::size_t i = 0; i < scene.materials.size(); ++i) {
         shader::MaterialConstants const constants = constants_of(scene.materials[i]);
         std::memcpy(constants_->mapped().data() + i * stride_, &constants, sizeof constants);
@@ -121,7 +135,8 @@ GpuImage& MaterialSets::picture(Scene const& scene, std::uint32_t index, bool sr
 
 VkDescriptorImageInfo MaterialSets::texture(Scene const& scene, Texture const& texture, bool srgb) {
     GpuImage const& image = texture ? picture(scene, texture.picture, srgb) : *white_;
-    return {samplers_.get(texture ? sampler_state(texture) : LINEAR_CLAMP), image.view(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+    return {samplers_.get(texture ? sampler_state(texture) : LINEAR_CLAMP), image.view(),
+            VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
 }
 
 void MaterialSets::write_set(Scene const& scene, std::size_t index) {

@@ -9,13 +9,18 @@ namespace alpenglow {
 
 namespace {
 
-constexpr VkImageUsageFlags KEPT = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+constexpr VkImageUsageFlags KEPT =
+    VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
 
-ImageShape table_shape(std::uint32_t width, std::uint32_t height) { return {VK_FORMAT_R32G32B32A32_SFLOAT, {width, height}}; }
+ImageShape table_shape(std::uint32_t width, std::uint32_t height) {
+    return {VK_FORMAT_R32G32B32A32_SFLOAT, {width, height}};
+}
 
-std::vector<shader::FrameConstants> supersample_constants(World const& world, Settings const& settings, Extent extent, ShadowFit const& shadow, double ceiling) {
+std::vector<shader::FrameConstants> supersample_constants(World const& world, Settings const& settings, Extent extent,
+                                                          ShadowFit const& shadow, double ceiling) {
     std::vector<shader::FrameConstants> result;
-    for (int i = 0; i < settings.aa; ++i) result.push_back(make_frame_constants(world, settings, extent, shadow, ceiling, i));
+    for (int i = 0; i < settings.aa; ++i)
+        result.push_back(make_frame_constants(world, settings, extent, shadow, ceiling, i));
     return result;
 }
 
@@ -24,7 +29,8 @@ std::vector<shader::FrameConstants> supersample_constants(World const& world, Se
 Renderer::Renderer(Device const& device, std::uint32_t frames_in_flight)
     : device_(device), executor_(device, frames_in_flight),
       transmittance_(device, table_shape(TRANSMITTANCE_WIDTH, TRANSMITTANCE_HEIGHT), KEPT, "transmittance"),
-      multiple_scattering_(device, table_shape(MULTIPLE_SCATTERING_WIDTH, MULTIPLE_SCATTERING_HEIGHT), KEPT, "multiple_scattering"),
+      multiple_scattering_(device, table_shape(MULTIPLE_SCATTERING_WIDTH, MULTIPLE_SCATTERING_HEIGHT), KEPT,
+                           "multiple_scattering"),
       sky_irradiance_(device, table_shape(SKY_IRRADIANCE_WIDTH, SKY_IRRADIANCE_HEIGHT), KEPT, "sky_irradiance") {}
 
 Renderer::~Renderer() { vkDeviceWaitIdle(device_.handle()); }
@@ -48,9 +54,12 @@ bool Renderer::air_changed(Planet const& planet) {
     return true;
 }
 
-void Renderer::draw(World const& world, Settings const& settings, Extent extent) { draw(world, settings, extent, {}, {}); }
+void Renderer::draw(World const& world, Settings const& settings, Extent extent) {
+    draw(world, settings, extent, {}, {});
+}
 
-void Renderer::draw(World const& world, Settings const& settings, Extent extent, Finish const& finish, PresentSync const& sync) {
+void Renderer::draw(World const& world, Settings const& settings, Extent extent, Finish const& finish,
+                    PresentSync const& sync) {
     size_pictures(extent);
     ShadowFit shadow;
     if (scene_) {
@@ -59,8 +68,12 @@ void Renderer::draw(World const& world, Settings const& settings, Extent extent,
     }
     double const ceiling = scene_ ? scene_->highest_altitude() : 0.0;
     auto const constants = supersample_constants(world, settings, extent, shadow, ceiling);
-    FrameInputs const inputs{world, settings, extent, scene_.get(), shadow, constants, transmittance_, multiple_scattering_, sky_irradiance_,
-                             air_changed(world.planet), *mean_, *picture_};
+    FrameInputs const inputs{world,           settings,
+                             extent,          scene_.get(),
+                             shadow,          constants,
+                             transmittance_,  multiple_scattering_,
+                             sky_irradiance_, air_changed(world.planet),
+                             *mean_,          *picture_};
     FrameGraph graph;
     build_frame(graph, inputs);
     if (finish) finish(graph, graph.find("picture"));

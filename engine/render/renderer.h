@@ -20,11 +20,13 @@ public:
     void set_scene(Scene const* scene, Placement const& placement, double planet_radius);
     GpuScene const* scene() const { return scene_.get(); }
 
-    /// Draws and submits a frame; `picture` and `radiance` wait for it. Tables of the air are made anew when the air has changed.
+    /// Draws and submits a frame; `picture` and `radiance` wait for it. Tables of the air are made anew when the air
+    /// has changed.
     void draw(World const& world, Settings const& settings, Extent extent);
     /// As `draw`, then lets `finish` add passes behind the picture, such as the panel and the swapchain's image.
     using Finish = std::function<void(FrameGraph&, ImageId picture)>;
-    void draw(World const& world, Settings const& settings, Extent extent, Finish const& finish, PresentSync const& sync);
+    void draw(World const& world, Settings const& settings, Extent extent, Finish const& finish,
+              PresentSync const& sync);
     /// Runs `finish` behind the last picture, which is not drawn anew. There must be one.
     void finish_again(Finish const& finish, PresentSync const& sync);
     void wait() { executor_.wait(); }

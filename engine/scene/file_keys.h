@@ -5,14 +5,15 @@
 
 #include <array>
 
-/// The numbers in planet, view and flight files: name, range and meaning. Readers, writers and schemas are made from it.
-/// Angles are in degrees in files.
+/// The numbers in planet, view and flight files: name, range and meaning. Readers, writers and schemas are made from
+/// it. Angles are in degrees in files.
 namespace alpenglow::json {
 
 inline constexpr NumberKey RADIUS{"radius", 1e3, 1e9, "the reference radius (\"sea level\") in metres"};
 inline constexpr NumberKey TOP_ALTITUDE{"top_altitude", 1, 1e8, "the altitude in metres beyond which there is no air"};
 inline constexpr NumberKey COEFFICIENT{"", 0, 1, "a coefficient in 1/m"};
-inline constexpr NumberKey SCALE_HEIGHT{"scale_height", 1, 1e7, "the altitude in metres over which density falls to 1/e"};
+inline constexpr NumberKey SCALE_HEIGHT{"scale_height", 1, 1e7,
+                                        "the altitude in metres over which density falls to 1/e"};
 inline constexpr NumberKey ASYMMETRY{"g", -0.99, 0.99, "the asymmetry of the aerosol's Cornette-Shanks phase"};
 inline constexpr NumberKey OZONE_CENTRE{"centre", 0, 1e8, "the altitude in metres of the tent's peak"};
 inline constexpr NumberKey OZONE_HALF_WIDTH{"half_width", 1, 1e8, "how far in metres the tent reaches from its centre"};
@@ -32,7 +33,8 @@ inline constexpr std::array CAMERA_KEYS{LATITUDE, LONGITUDE, CAMERA_ALTITUDE, HE
 inline constexpr NumberKey ELEVATION{"elevation", -90, 90, "degrees above the horizon"};
 inline constexpr NumberKey AZIMUTH{"azimuth", -360, 360, "degrees, clockwise from north"};
 
-inline constexpr NumberKey ANCHOR_ALTITUDE{"altitude", -1e4, 1e7, "metres above the planet's reference radius", false, 0.0};
+inline constexpr NumberKey ANCHOR_ALTITUDE{"altitude", -1e4, 1e7, "metres above the planet's reference radius",
+                                           false,      0.0};
 inline constexpr NumberKey YAW{"yaw", -360, 360, "degrees clockwise seen from above", false, 0.0};
 inline constexpr NumberKey SCALE{"scale", 1e-6, 1e6, "metres for a unit of the scene", false, 1.0};
 

@@ -75,7 +75,8 @@ auto FlightPath::key_rate(std::vector<Point> const& points, std::vector<Pace> co
 }
 
 template <typename Point>
-Point FlightPath::on_curve(std::vector<Point> const& points, std::vector<Pace> const& paces, std::size_t segment, double u) const {
+Point FlightPath::on_curve(std::vector<Point> const& points, std::vector<Pace> const& paces, std::size_t segment,
+                           double u) const {
     auto const slope_a = key_rate(points, paces, segment) / paces[segment].start;
     auto const slope_b = key_rate(points, paces, segment + 1) / paces[segment].end;
     return interpolation::hermite(points[segment], slope_a, slope_b, points[segment + 1], u);
@@ -100,7 +101,8 @@ double FlightPath::height_integral(std::size_t segment, double end) const {
     return sum * end / PANELS;
 }
 
-/// Along the ground a segment is flown in proportion to the height: near the ground slowly, and a climb is a straight line.
+/// Along the ground a segment is flown in proportion to the height: near the ground slowly, and a climb is a straight
+/// line.
 FlightPath::Pace FlightPath::ground_pace(std::size_t segment) const {
     double const whole = height_integral(segment, 1) / time_paces_[segment].start; // [m s]
     return {std::exp(log_heights_[segment]) / whole, std::exp(log_heights_[segment + 1]) / whole};
@@ -119,7 +121,8 @@ View FlightPath::at(double time) const {
     Geodetic place = geodetic_from_world(up, 1);
     place.altitude = std::exp(log_height(segment, u)) - SOFT_HEIGHT + flight_.ground;
     glm::dmat3 const local_from_camera = glm::mat3_cast(on_curve(rotations_, time_paces_, segment, u));
-    CameraAngles const angles = camera_angles(world_from_local(up) * local_from_camera, place.latitude, place.longitude);
+    CameraAngles const angles =
+        camera_angles(world_from_local(up) * local_from_camera, place.latitude, place.longitude);
 
     View view = flight_.base;
     view.name = flight_.name;

@@ -17,7 +17,8 @@ Geodetic geodetic_from_world(glm::dvec3 const& world, double radius);
 /// Columns: east, north, up. Defined everywhere, poles included (east there is that of the given longitude).
 glm::dmat3 world_from_east_north_up(double latitude, double longitude);
 
-/// Unit vector from elevation above the horizon and azimuth (clockwise from north), both [rad], in the frame at a place.
+/// Unit vector from elevation above the horizon and azimuth (clockwise from north), both [rad], in the frame at a
+/// place.
 glm::dvec3 world_from_elevation_azimuth(double elevation, double azimuth, double latitude, double longitude);
 
 /// glTF axes in a local tangent frame: +Y up, +X east, -Z north, turned by `yaw` [rad] clockwise seen from above.

@@ -26,7 +26,8 @@ gltf::Document read_document(gltf::Report& report) {
 }
 
 /// Builds the meshes that are placed, each once, and leaves out the instances of those that hold no triangle.
-void build_meshes(Scene& scene, std::vector<Instance> const& placed, gltf::Document const& document, gltf::Report& report) {
+void build_meshes(Scene& scene, std::vector<Instance> const& placed, gltf::Document const& document,
+                  gltf::Report& report) {
     constexpr std::uint32_t not_built = ~0u, without_triangles = ~0u - 1;
     gltf::MeshBuilder builder(document, report);
     std::set<std::uint32_t> shown;

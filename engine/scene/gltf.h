@@ -15,9 +15,10 @@ struct GltfOptions {
 Scene load_gltf(std::filesystem::path const& file, GltfOptions const& options = {});
 
 /// Bends a scene made for a flat map plane to a planet: a vertex at horizontal distance d from the origin goes to the
-/// same arc length and altitude over the sphere whose top the origin touches. Each instance gets its own bent mesh, with a
-/// local origin in its middle. `planet_radius` [m]; `scale` [m per unit of the scene], which stays to be applied by the
-/// placement. Throws Error(bad_input) where the scene reaches farther than the planet's other side or its centre.
+/// same arc length and altitude over the sphere whose top the origin touches. Each instance gets its own bent mesh,
+/// with a local origin in its middle. `planet_radius` [m]; `scale` [m per unit of the scene], which stays to be applied
+/// by the placement. Throws Error(bad_input) where the scene reaches farther than the planet's other side or its
+/// centre.
 void curve_to_planet(Scene& scene, double planet_radius, double scale);
 
 } // namespace alpenglow

@@ -32,7 +32,8 @@ struct Span {
 void check_span(Document const& document, Span const& span, std::string const& pointer, Report const& report) {
     BufferView const& view = document.views[static_cast<std::size_t>(span.view)];
     if (span.stride < span.size) {
-        report.fail(pointer, "elements of " + bytes_text(span.size) + " don't fit its view's stride of " + bytes_text(span.stride));
+        report.fail(pointer, "elements of " + bytes_text(span.size) + " don't fit its view's stride of " +
+                                 bytes_text(span.stride));
     }
     if ((view.offset + span.offset) % span.component != 0 || span.stride % span.component != 0) {
         report.fail(pointer, "is not aligned to its components of " + bytes_text(span.component));
@@ -45,19 +46,22 @@ void check_span(Document const& document, Span const& span, std::string const& p
     }
 }
 
-void check_sparse(Document const& document, Accessor const& accessor, std::string const& pointer, Report const& report) {
+void check_sparse(Document const& document, Accessor const& accessor, std::string const& pointer,
+                  Report const& report) {
     Accessor::Sparse const& sparse = *accessor.sparse;
     if (sparse.count > accessor.count) report.fail(pointer + "/sparse/count", "is above the accessor's count");
     std::size_t const index_size = component_size(sparse.index_type), size = element_size(accessor);
     check_span(document, {sparse.index_view, sparse.index_offset, sparse.count, index_size, index_size, index_size},
                pointer + "/sparse/indices", report);
-    check_span(document, {sparse.value_view, sparse.value_offset, sparse.count, size, size, component_size(accessor.type)},
+    check_span(document,
+               {sparse.value_view, sparse.value_offset, sparse.count, size, size, component_size(accessor.type)},
                pointer + "/sparse/values", report);
     std::vector<std::uint32_t> const indices = sparse_indices_of(document, accessor);
     if (std::ranges::adjacent_find(indices, std::greater_equal<>()) != indices.end()) {
         report.fail(pointer + "/sparse/indices", "must increase strictly");
     }
-    if (indices.back() >= accessor.count) report.fail(pointer + "/sparse/indices", "holds an index beyond the accessor's count");
+    if (indices.back() >= accessor.count)
+        report.fail(pointer + "/sparse/indices", "holds an index beyond the accessor's count");
 }
 
 void check_accessor(Document const& document, std::size_t index, std::uint64_t all_bytes, Report const& report) {
@@ -69,7 +73,9 @@ void check_accessor(Document const& document, std::size_t index, std::uint64_t a
     if (accessor.view != no_index) {
         std::size_t const size = element_size(accessor);
         std::uint64_t const stride = document.views[static_cast<std::size_t>(accessor.view)].stride;
-        check_span(document, {accessor.view, accessor.offset, accessor.count, size, stride ? stride : size, component_size(accessor.type)},
+        check_span(document,
+                   {accessor.view, accessor.offset, accessor.count, size, stride ? stride : size,
+                    component_size(accessor.type)},
                    pointer, report);
     } else if (accessor.count > std::max(all_bytes, most_zero_elements)) {
         report.fail(pointer + "/count", "is " + std::to_string(accessor.count) + ", more than all buffers have bytes");
@@ -104,11 +110,14 @@ Elements elements_in(Document const& document, int view, std::uint64_t offset, s
 std::size_t component_size(Component type) {
     switch (type) {
     case Component::int8:
-    case Component::uint8: return 1;
+    case Component::uint8:
+        return 1;
     case Component::int16:
-    case Component::uint16: return 2;
+    case Component::uint16:
+        return 2;
     case Component::uint32:
-    case Component::float32: break;
+    case Component::float32:
+        break;
     }
     return 4;
 }
@@ -140,20 +149,24 @@ Elements sparse_values_of(Document const& document, Accessor const& accessor) {
 std::vector<std::uint32_t> sparse_indices_of(Document const& document, Accessor const& accessor) {
     Accessor::Sparse const& sparse = *accessor.sparse;
     std::size_t const size = component_size(sparse.index_type);
-    return integers({elements_in(document, sparse.index_view, sparse.index_offset, size).first, size}, sparse.count, sparse.index_type);
+    return integers({elements_in(document, sparse.index_view, sparse.index_offset, size).first, size}, sparse.count,
+                    sparse.index_type);
 }
 
-std::vector<std::uint32_t> read_indices(Document const& document, int index, std::size_t vertices, Report const& report) {
+std::vector<std::uint32_t> read_indices(Document const& document, int index, std::size_t vertices,
+                                        Report const& report) {
     Accessor const& accessor = document.accessors[static_cast<std::size_t>(index)];
     std::string const pointer = pointer_to("accessors", static_cast<std::size_t>(index));
-    bool const suitable = accessor.type == Component::uint8 || accessor.type == Component::uint16 || accessor.type == Component::uint32;
+    bool const suitable =
+        accessor.type == Component::uint8 || accessor.type == Component::uint16 || accessor.type == Component::uint32;
     if (!suitable || accessor.rows != 1 || accessor.columns != 1 || accessor.normalized) {
         report.fail(pointer, "can't be indices: these are unsigned scalars, not normalized");
     }
     std::vector<std::uint32_t> indices = integers(elements_of(document, accessor), accessor.count, accessor.type);
     if (accessor.sparse) {
         std::vector<std::uint32_t> const places = sparse_indices_of(document, accessor);
-        std::vector<std::uint32_t> const values = integers(sparse_values_of(document, accessor), places.size(), accessor.type);
+        std::vector<std::uint32_t> const values =
+            integers(sparse_values_of(document, accessor), places.size(), accessor.type);
         for (std::size_t i = 0; i < places.size(); ++i) indices[places[i]] = values[i];
     }
     std::uint64_t const restart = (std::uint64_t{1} << 8 * component_size(accessor.type)) - 1;
@@ -162,8 +175,8 @@ std::vector<std::uint32_t> read_indices(Document const& document, int index, std
             report.fail(pointer, "index " + std::to_string(i) + " is the restart value " + std::to_string(restart));
         }
         if (indices[i] >= vertices) {
-            report.fail(pointer, "index " + std::to_string(i) + " is " + std::to_string(indices[i]) + ", but there are " +
-                                     std::to_string(vertices) + " vertices");
+            report.fail(pointer, "index " + std::to_string(i) + " is " + std::to_string(indices[i]) +
+                                     ", but there are " + std::to_string(vertices) + " vertices");
         }
     }
     return indices;

@@ -14,7 +14,7 @@ namespace alpenglow::gltf {
 /// indices), in 64-bit arithmetic that can't overflow. Throws Error(bad_input).
 void check_accessors(Document const& document, Report const& report);
 
-std::size_t component_size(Component type); ///< [bytes]
+std::size_t component_size(Component type);         ///< [bytes]
 std::size_t element_size(Accessor const& accessor); ///< [bytes]
 
 /// Elements as they lie in memory, after check_accessors has passed them.
@@ -36,11 +36,11 @@ template <class T> float float_from(T value, bool normalized) {
     return number;
 }
 
-/// Calls `store(i, value)` with `N` floats for each element of a vector accessor that has N components or fewer; what is
-/// missing is 1. Throws Error(bad_input) on a number that is not finite.
+/// Calls `store(i, value)` with `N` floats for each element of a vector accessor that has N components or fewer; what
+/// is missing is 1. Throws Error(bad_input) on a number that is not finite.
 template <int N, class T, class Store>
-void read_vectors_as(Document const& document, Accessor const& accessor, std::string const& pointer, Report const& report,
-                     Store const& store) {
+void read_vectors_as(Document const& document, Accessor const& accessor, std::string const& pointer,
+                     Report const& report, Store const& store) {
     auto const rows = static_cast<std::size_t>(accessor.rows);
     auto const read = [&](std::byte const* bytes, std::size_t index) {
         T raw[N] = {};
@@ -55,11 +55,13 @@ void read_vectors_as(Document const& document, Accessor const& accessor, std::st
         store(index, value);
     };
     Elements const elements = elements_of(document, accessor);
-    for (std::size_t i = 0; i < accessor.count; ++i) read(elements.first ? elements.first + i * elements.stride : nullptr, i);
+    for (std::size_t i = 0; i < accessor.count; ++i)
+        read(elements.first ? elements.first + i * elements.stride : nullptr, i);
     if (!accessor.sparse) return;
     Elements const values = sparse_values_of(document, accessor);
     std::size_t next = 0;
-    for (std::uint32_t const index : sparse_indices_of(document, accessor)) read(values.first + values.stride * next++, index);
+    for (std::uint32_t const index : sparse_indices_of(document, accessor))
+        read(values.first + values.stride * next++, index);
 }
 
 template <int N, class Store>
@@ -67,16 +69,23 @@ void read_vectors(Document const& document, int index, Report const& report, Sto
     Accessor const& accessor = document.accessors[static_cast<std::size_t>(index)];
     std::string const pointer = "/accessors/" + std::to_string(index);
     switch (accessor.type) {
-    case Component::int8: return read_vectors_as<N, std::int8_t>(document, accessor, pointer, report, store);
-    case Component::uint8: return read_vectors_as<N, std::uint8_t>(document, accessor, pointer, report, store);
-    case Component::int16: return read_vectors_as<N, std::int16_t>(document, accessor, pointer, report, store);
-    case Component::uint16: return read_vectors_as<N, std::uint16_t>(document, accessor, pointer, report, store);
-    case Component::uint32: return read_vectors_as<N, std::uint32_t>(document, accessor, pointer, report, store);
-    case Component::float32: return read_vectors_as<N, float>(document, accessor, pointer, report, store);
+    case Component::int8:
+        return read_vectors_as<N, std::int8_t>(document, accessor, pointer, report, store);
+    case Component::uint8:
+        return read_vectors_as<N, std::uint8_t>(document, accessor, pointer, report, store);
+    case Component::int16:
+        return read_vectors_as<N, std::int16_t>(document, accessor, pointer, report, store);
+    case Component::uint16:
+        return read_vectors_as<N, std::uint16_t>(document, accessor, pointer, report, store);
+    case Component::uint32:
+        return read_vectors_as<N, std::uint32_t>(document, accessor, pointer, report, store);
+    case Component::float32:
+        return read_vectors_as<N, float>(document, accessor, pointer, report, store);
     }
 }
 
 /// Vertex indices: 8, 16 or 32 bits, each below `vertices`, none the restart value. Throws Error(bad_input).
-std::vector<std::uint32_t> read_indices(Document const& document, int index, std::size_t vertices, Report const& report);
+std::vector<std::uint32_t> read_indices(Document const& document, int index, std::size_t vertices,
+                                        Report const& report);
 
 } // namespace alpenglow::gltf

@@ -16,7 +16,8 @@ public:
         double const distance = std::hypot(flat.x, flat.z);
         double const angle = distance / radius;
         if (angle > std::numbers::pi || flat.y <= -radius) {
-            throw Error(ErrorKind::bad_input, "the scene is larger than the planet that it is bent to", "curve", "check its scale");
+            throw Error(ErrorKind::bad_input, "the scene is larger than the planet that it is bent to", "curve",
+                        "check its scale");
         }
         outwards_ = distance > 0 ? glm::dvec3(flat.x / distance, 0, flat.z / distance) : glm::dvec3(1, 0, 0);
         sine_ = std::sin(angle);
@@ -64,7 +65,8 @@ Mesh bend_instance(Mesh const& flat, Instance& instance, double radius) {
     }
     glm::dvec3 const origin = box.empty() ? glm::dvec3(0) : box.centre();
     for (std::size_t i = 0; i < places.size(); ++i) mesh.vertices[i].position = places[i] - origin;
-    for (std::size_t i = 0; mirrored && i + 2 < mesh.indices.size(); i += 3) std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
+    for (std::size_t i = 0; mirrored && i + 2 < mesh.indices.size(); i += 3)
+        std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
     for (MeshPart& part : mesh.parts) {
         part.bounds = {};
         for (std::uint32_t i = part.first_index; i < part.first_index + part.index_count; ++i) {

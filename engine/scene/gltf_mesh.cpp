@@ -40,7 +40,8 @@ constexpr auto forms = std::to_array<AttributeForm>({
     {"COLOR_0", 3, 4, bits({uint8, uint16}), 0},
 });
 
-void check_form(Accessor const& accessor, AttributeForm const& form, bool quantized, std::string const& pointer, Report const& report) {
+void check_form(Accessor const& accessor, AttributeForm const& form, bool quantized, std::string const& pointer,
+                Report const& report) {
     unsigned const bit = bits({accessor.type});
     if (accessor.columns != 1 || accessor.rows < form.fewest_rows || accessor.rows > form.most_rows) {
         report.fail(pointer, std::string(form.name) + " has the wrong number of components");
@@ -79,16 +80,22 @@ void MeshBuilder::claim(std::size_t index) {
         auto const position = primitive.attributes.find("POSITION");
         if (primitive.mode < 4 || position == primitive.attributes.end()) continue;
         std::size_t const count = document_.accessors[static_cast<std::size_t>(position->second)].count;
-        std::size_t const corners =
-            primitive.indices == no_index ? count : document_.accessors[static_cast<std::size_t>(primitive.indices)].count;
-        std::size_t const indices = static_cast<TriangleMode>(primitive.mode) == TriangleMode::list ? corners : 3 * corners;
+        std::size_t const corners = primitive.indices == no_index
+                                        ? count
+                                        : document_.accessors[static_cast<std::size_t>(primitive.indices)].count;
+        std::size_t const indices =
+            static_cast<TriangleMode>(primitive.mode) == TriangleMode::list ? corners : 3 * corners;
         total_indices_ += indices;
-        if (!primitive.attributes.contains("NORMAL")) total_vertices_ += std::max(count, indices);
-        else if (known.insert(primitive.attributes).second) total_vertices_ += count;
+        if (!primitive.attributes.contains("NORMAL"))
+            total_vertices_ += std::max(count, indices);
+        else if (known.insert(primitive.attributes).second)
+            total_vertices_ += count;
     }
     std::string const pointer = fmt::format("/meshes/{}", index);
-    if (total_indices_ > most_indices) report_.fail(pointer, fmt::format("is beyond the limit of {} indices in all", most_indices));
-    if (total_vertices_ > most_vertices) report_.fail(pointer, fmt::format("is beyond the limit of {} vertices in all", most_vertices));
+    if (total_indices_ > most_indices)
+        report_.fail(pointer, fmt::format("is beyond the limit of {} indices in all", most_indices));
+    if (total_vertices_ > most_vertices)
+        report_.fail(pointer, fmt::format("is beyond the limit of {} vertices in all", most_vertices));
 }
 
 Mesh MeshBuilder::build(std::size_t index) {
@@ -102,7 +109,8 @@ Mesh MeshBuilder::build(std::size_t index) {
     return mesh;
 }
 
-void MeshBuilder::add_primitive(Mesh& mesh, FirstVertices& shared, Primitive const& primitive, std::string const& pointer) {
+void MeshBuilder::add_primitive(Mesh& mesh, FirstVertices& shared, Primitive const& primitive,
+                                std::string const& pointer) {
     if (primitive.mode < 4) return report_.warn("points and lines are left out");
     auto const position = primitive.attributes.find("POSITION");
     if (position == primitive.attributes.end()) return report_.warn("primitives without POSITION are left out");
@@ -117,7 +125,8 @@ void MeshBuilder::add_primitive(Mesh& mesh, FirstVertices& shared, Primitive con
     part.first_index = static_cast<std::uint32_t>(mesh.indices.size());
     part.index_count = static_cast<std::uint32_t>(indices.size());
     used_default_material_ |= primitive.material == no_index;
-    part.material = primitive.material == no_index ? default_material() : static_cast<std::uint32_t>(primitive.material);
+    part.material =
+        primitive.material == no_index ? default_material() : static_cast<std::uint32_t>(primitive.material);
     mesh.indices.insert(mesh.indices.end(), indices.begin(), indices.end());
     part.bounds = bounds_of(mesh, part);
     mesh.parts.push_back(part);
@@ -126,11 +135,12 @@ void MeshBuilder::add_primitive(Mesh& mesh, FirstVertices& shared, Primitive con
 std::vector<std::uint32_t> MeshBuilder::read_triangles(Primitive const& primitive, std::size_t vertices) {
     bool const counted = primitive.indices == no_index;
     return triangles_from(static_cast<TriangleMode>(primitive.mode),
-                          counted ? counted_indices(vertices) : read_indices(document_, primitive.indices, vertices, report_));
+                          counted ? counted_indices(vertices)
+                                  : read_indices(document_, primitive.indices, vertices, report_));
 }
 
-/// Returns where the primitive's vertices begin. Primitives with the same attributes share them, unless their normals have
-/// to be made, which rewrites `indices`.
+/// Returns where the primitive's vertices begin. Primitives with the same attributes share them, unless their normals
+/// have to be made, which rewrites `indices`.
 std::uint32_t MeshBuilder::add_vertices(Mesh& mesh, FirstVertices& shared, Primitive const& primitive,
                                         std::vector<std::uint32_t>& indices, std::string const& pointer) {
     bool const flat = !primitive.attributes.contains("NORMAL");
@@ -142,12 +152,15 @@ std::uint32_t MeshBuilder::add_vertices(Mesh& mesh, FirstVertices& shared, Primi
     std::size_t const count = document_.accessors[static_cast<std::size_t>(primitive.attributes.at("POSITION"))].count;
     std::vector<Vertex> vertices = read_vertices(primitive, count, pointer);
     if (flat) make_flat(vertices, indices);
-    if (mesh.vertices.empty()) mesh.vertices = std::move(vertices);
-    else mesh.vertices.insert(mesh.vertices.end(), vertices.begin(), vertices.end());
+    if (mesh.vertices.empty())
+        mesh.vertices = std::move(vertices);
+    else
+        mesh.vertices.insert(mesh.vertices.end(), vertices.begin(), vertices.end());
     return first_vertex;
 }
 
-std::vector<Vertex> MeshBuilder::read_vertices(Primitive const& primitive, std::size_t count, std::string const& pointer) {
+std::vector<Vertex> MeshBuilder::read_vertices(Primitive const& primitive, std::size_t count,
+                                               std::string const& pointer) {
     std::vector<Vertex> vertices(count);
     for (auto const& [name, accessor] : primitive.attributes) {
         read_attribute(vertices, name, accessor, pointer + "/attributes/" + printable(name));
@@ -155,25 +168,35 @@ std::vector<Vertex> MeshBuilder::read_vertices(Primitive const& primitive, std::
     return vertices;
 }
 
-void MeshBuilder::read_attribute(std::vector<Vertex>& vertices, std::string const& name, int index, std::string const& pointer) {
+void MeshBuilder::read_attribute(std::vector<Vertex>& vertices, std::string const& name, int index,
+                                 std::string const& pointer) {
     auto const form = std::ranges::find(forms, name, &AttributeForm::name);
     if (form == forms.end()) return;
     Accessor const& accessor = document_.accessors[static_cast<std::size_t>(index)];
     check_form(accessor, *form, document_.quantized, pointer, report_);
     if (accessor.count != vertices.size()) {
-        report_.fail(pointer, "has " + std::to_string(accessor.count) + " elements, POSITION " + std::to_string(vertices.size()));
+        report_.fail(pointer, "has " + std::to_string(accessor.count) + " elements, POSITION " +
+                                  std::to_string(vertices.size()));
     }
     if (name == "POSITION") {
-        read_vectors<3>(document_, index, report_, [&](std::size_t i, float const* v) { vertices[i].position = {v[0], v[1], v[2]}; });
+        read_vectors<3>(document_, index, report_, [&](std::size_t i, float const* v) {
+            vertices[i].position = {v[0], v[1], v[2]};
+        });
     } else if (name == "NORMAL") {
-        read_vectors<3>(document_, index, report_,
-                        [&](std::size_t i, float const* v) { vertices[i].normal = unit_or_up({v[0], v[1], v[2]}); });
+        read_vectors<3>(document_, index, report_, [&](std::size_t i, float const* v) {
+            vertices[i].normal = unit_or_up({v[0], v[1], v[2]});
+        });
     } else if (name == "TANGENT") {
-        read_vectors<4>(document_, index, report_, [&](std::size_t i, float const* v) { vertices[i].tangent = unit_tangent(v); });
+        read_vectors<4>(document_, index, report_,
+                        [&](std::size_t i, float const* v) { vertices[i].tangent = unit_tangent(v); });
     } else if (name == "TEXCOORD_0") {
-        read_vectors<2>(document_, index, report_, [&](std::size_t i, float const* v) { vertices[i].uv0 = {v[0], v[1]}; });
+        read_vectors<2>(document_, index, report_, [&](std::size_t i, float const* v) {
+            vertices[i].uv0 = {v[0], v[1]};
+        });
     } else if (name == "TEXCOORD_1") {
-        read_vectors<2>(document_, index, report_, [&](std::size_t i, float const* v) { vertices[i].uv1 = {v[0], v[1]}; });
+        read_vectors<2>(document_, index, report_, [&](std::size_t i, float const* v) {
+            vertices[i].uv1 = {v[0], v[1]};
+        });
     } else {
         read_vectors<4>(document_, index, report_, [&](std::size_t i, float const* v) {
             vertices[i].color = glm::clamp(glm::vec4(v[0], v[1], v[2], v[3]), 0.0f, 1.0f);

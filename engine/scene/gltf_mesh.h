@@ -5,17 +5,17 @@
 
 namespace alpenglow::gltf {
 
-/// Turns glTF meshes into ours, and counts what they take, so that a small file can't ask for a huge scene by naming the
-/// same bytes again and again.
+/// Turns glTF meshes into ours, and counts what they take, so that a small file can't ask for a huge scene by naming
+/// the same bytes again and again.
 class MeshBuilder {
 public:
     MeshBuilder(Document const& document, Report& report) : document_(document), report_(report) {}
 
-    /// Counts what `mesh` will take at most. Throws Error(bad_input) beyond the limits. Call it for every mesh before the
-    /// first is built.
+    /// Counts what `mesh` will take at most. Throws Error(bad_input) beyond the limits. Call it for every mesh before
+    /// the first is built.
     void claim(std::size_t mesh);
-    /// `mesh` of the document as triangles; without parts where it holds none. Materials are numbered as in the document;
-    /// a part without one has `default_material()`. Throws Error(bad_input).
+    /// `mesh` of the document as triangles; without parts where it holds none. Materials are numbered as in the
+    /// document; a part without one has `default_material()`. Throws Error(bad_input).
     Mesh build(std::size_t mesh);
 
     std::uint32_t default_material() const { return static_cast<std::uint32_t>(document_.materials.size()); }
@@ -27,10 +27,11 @@ private:
 
     void add_primitive(Mesh& mesh, FirstVertices& shared, Primitive const& primitive, std::string const& pointer);
     std::vector<std::uint32_t> read_triangles(Primitive const& primitive, std::size_t vertices);
-    std::uint32_t add_vertices(Mesh& mesh, FirstVertices& shared, Primitive const& primitive, std::vector<std::uint32_t>& indices,
-                               std::string const& pointer);
+    std::uint32_t add_vertices(Mesh& mesh, FirstVertices& shared, Primitive const& primitive,
+                               std::vector<std::uint32_t>& indices, std::string const& pointer);
     std::vector<Vertex> read_vertices(Primitive const& primitive, std::size_t count, std::string const& pointer);
-    void read_attribute(std::vector<Vertex>& vertices, std::string const& name, int accessor, std::string const& pointer);
+    void read_attribute(std::vector<Vertex>& vertices, std::string const& name, int accessor,
+                        std::string const& pointer);
 
     Document const& document_;
     Report& report_;

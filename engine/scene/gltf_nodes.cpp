@@ -18,7 +18,8 @@ std::string pointer_to(std::size_t node) { return "/nodes/" + std::to_string(nod
 glm::dquat unit_rotation(std::vector<double> const& xyzw, std::size_t node, Report const& report) {
     glm::dquat const rotation(xyzw[3], xyzw[0], xyzw[1], xyzw[2]);
     // A quaternion of signed normalized bytes is off by up to 4 * 0.5/127.
-    if (std::abs(glm::length(rotation) - 1) > 0.016) report.fail(pointer_to(node) + "/rotation", "is not a unit quaternion");
+    if (std::abs(glm::length(rotation) - 1) > 0.016)
+        report.fail(pointer_to(node) + "/rotation", "is not a unit quaternion");
     return glm::normalize(rotation);
 }
 
@@ -111,8 +112,10 @@ std::vector<Instance> place_nodes(Document const& document, Report const& report
         glm::dmat4 const scene_from_node = placed.scene_from_parent * node.parent_from_node;
         if (!is_finite(scene_from_node)) report.fail(pointer_to(placed.node), "is placed out of a float's range");
         bool const hidden = glm::determinant(glm::dmat3(scene_from_node)) == 0;
-        if (node.mesh != no_index && !hidden) instances.push_back({static_cast<std::uint32_t>(node.mesh), scene_from_node});
-        if (instances.size() > most_instances) report.fail("/nodes", "more than " + std::to_string(most_instances) + " instances");
+        if (node.mesh != no_index && !hidden)
+            instances.push_back({static_cast<std::uint32_t>(node.mesh), scene_from_node});
+        if (instances.size() > most_instances)
+            report.fail("/nodes", "more than " + std::to_string(most_instances) + " instances");
         for (auto child = node.children.rbegin(); child != node.children.rend(); ++child) {
             open.push_back({static_cast<std::size_t>(*child), scene_from_node});
         }

@@ -32,7 +32,8 @@ void check_index_views(nlohmann::json const& json, Report const& report) {
             if (json["accessors"][primitive["indices"].get<std::size_t>()].contains("bufferView")) continue;
             bool const draco = primitive.contains("/extensions/KHR_draco_mesh_compression"_json_pointer);
             report.fail(fmt::format("/meshes/{}/primitives/{}/indices", m, p),
-                        draco ? "is compressed by KHR_draco_mesh_compression, which is not supported" : "has no bufferView");
+                        draco ? "is compressed by KHR_draco_mesh_compression, which is not supported"
+                              : "has no bufferView");
         }
     }
 }
@@ -40,7 +41,8 @@ void check_index_views(nlohmann::json const& json, Report const& report) {
 tinygltf::Model parse_model(nlohmann::json json, Report const& report) {
     check_index_views(json, report);
     // Read by us (buffers, images) or not at all: the less reaches the parser, the less can go wrong in it.
-    for (char const* const key : {"buffers", "images", "animations", "skins", "cameras", "extensions", "extras"}) json.erase(key);
+    for (char const* const key : {"buffers", "images", "animations", "skins", "cameras", "extensions", "extras"})
+        json.erase(key);
     std::string const text = json.dump();
     tinygltf::TinyGLTF parser;
     parser.RemoveImageLoader();
@@ -49,7 +51,8 @@ tinygltf::Model parse_model(nlohmann::json json, Report const& report) {
     std::string error, warning;
     bool good = false;
     try {
-        good = parser.LoadASCIIFromString(&model, &error, &warning, text.data(), static_cast<unsigned>(text.size()), "");
+        good =
+            parser.LoadASCIIFromString(&model, &error, &warning, text.data(), static_cast<unsigned>(text.size()), "");
     } catch (std::exception const& exception) {
         error = exception.what();
     }
@@ -71,8 +74,10 @@ Accessor convert(tinygltf::Accessor const& source) {
     accessor.normalized = source.normalized;
     accessor.count = source.count;
     if (source.sparse.isSparse) {
-        accessor.sparse = {static_cast<std::uint64_t>(source.sparse.count), source.sparse.indices.bufferView,
-                           source.sparse.values.bufferView, static_cast<std::uint64_t>(source.sparse.indices.byteOffset),
+        accessor.sparse = {static_cast<std::uint64_t>(source.sparse.count),
+                           source.sparse.indices.bufferView,
+                           source.sparse.values.bufferView,
+                           static_cast<std::uint64_t>(source.sparse.indices.byteOffset),
                            static_cast<std::uint64_t>(source.sparse.values.byteOffset),
                            static_cast<Component>(source.sparse.indices.componentType)};
     }
@@ -88,16 +93,17 @@ void apply_sampler(Texture& texture, tinygltf::Sampler const& sampler) {
     texture.wrap_u = wrap_from_gltf(sampler.wrapS);
     texture.wrap_v = wrap_from_gltf(sampler.wrapT);
     int const smaller = sampler.minFilter;
-    bool const nearest = smaller == TINYGLTF_TEXTURE_FILTER_NEAREST || smaller == TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST ||
+    bool const nearest = smaller == TINYGLTF_TEXTURE_FILTER_NEAREST ||
+                         smaller == TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST ||
                          smaller == TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_LINEAR;
     texture.minify = nearest ? TextureFilter::nearest : TextureFilter::linear;
-    texture.magnify = sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST ? TextureFilter::nearest : TextureFilter::linear;
+    texture.magnify =
+        sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST ? TextureFilter::nearest : TextureFilter::linear;
     texture.mipmaps = smaller != TINYGLTF_TEXTURE_FILTER_NEAREST && smaller != TINYGLTF_TEXTURE_FILTER_LINEAR;
 }
 
 /// `Info` is one of tinygltf's three kinds of texture reference.
-template <class Info>
-Texture convert_texture(Info const& info, tinygltf::Model const& model, Report& report) {
+template <class Info> Texture convert_texture(Info const& info, tinygltf::Model const& model, Report& report) {
     Texture texture;
     if (info.index < 0) return texture;
     tinygltf::Texture const& source = model.textures[at(info.index)];
@@ -150,7 +156,8 @@ MeshSource convert(tinygltf::Mesh const& source, Report& report) {
 Node convert(tinygltf::Node const& source, std::size_t index, Report& report) {
     Node node{source.name, source.children, source.mesh, {}};
     if (source.skin >= 0) report.warn("skins are ignored: such meshes stand in their bind pose");
-    node.parent_from_node = node_matrix({source.matrix, source.translation, source.rotation, source.scale}, index, report);
+    node.parent_from_node =
+        node_matrix({source.matrix, source.translation, source.rotation, source.scale}, index, report);
     return node;
 }
 
@@ -185,9 +192,11 @@ Document parse_document(nlohmann::json const& json, Report& report) {
     Document document;
     for (tinygltf::BufferView const& view : model.bufferViews) document.views.push_back(convert(view));
     for (tinygltf::Accessor const& accessor : model.accessors) document.accessors.push_back(convert(accessor));
-    for (tinygltf::Material const& material : model.materials) document.materials.push_back(convert(material, model, report));
+    for (tinygltf::Material const& material : model.materials)
+        document.materials.push_back(convert(material, model, report));
     for (tinygltf::Mesh const& mesh : model.meshes) document.meshes.push_back(convert(mesh, report));
-    for (tinygltf::Node const& node : model.nodes) document.nodes.push_back(convert(node, document.nodes.size(), report));
+    for (tinygltf::Node const& node : model.nodes)
+        document.nodes.push_back(convert(node, document.nodes.size(), report));
     document.images = convert_images(json, report);
     document.roots = shown_roots(model);
     document.quantized = std::ranges::find(model.extensionsUsed, "KHR_mesh_quantization") != model.extensionsUsed.end();

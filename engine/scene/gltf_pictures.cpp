@@ -23,7 +23,8 @@ ByteImage halved(ByteImage const& image) {
         for (std::uint32_t x = 0; x < half.extent.width; ++x) {
             std::uint32_t const u = x * (1 + right), v = y * (1 + down);
             for (int c = 0; c < 4; ++c) {
-                int const sum = image.at(u, v)[c] + image.at(u + right, v)[c] + image.at(u, v + down)[c] + image.at(u + right, v + down)[c];
+                int const sum = image.at(u, v)[c] + image.at(u + right, v)[c] + image.at(u, v + down)[c] +
+                                image.at(u + right, v + down)[c];
                 half.at(x, y)[c] = static_cast<std::uint8_t>((sum + 2) / 4);
             }
         }
@@ -35,9 +36,10 @@ ByteImage decode(std::vector<std::byte> const& bytes, std::string const& pointer
     try {
         Extent const extent = read_picture_header(bytes).extent;
         if (std::max(extent.width, extent.height) > largest_side || extent.pixels() > most_pixels) {
-            report.fail(pointer, "is a picture of " + std::to_string(extent.width) + " x " + std::to_string(extent.height) +
-                                     ", more than the limit of " + std::to_string(largest_side) + " a side and " +
-                                     std::to_string(most_pixels) + " in all");
+            report.fail(pointer, "is a picture of " + std::to_string(extent.width) + " x " +
+                                     std::to_string(extent.height) + ", more than the limit of " +
+                                     std::to_string(largest_side) + " a side and " + std::to_string(most_pixels) +
+                                     " in all");
         }
         return decode_picture(bytes);
     } catch (Error const& error) {
@@ -58,13 +60,15 @@ Picture scaled_picture(ByteImage image, Document const& document, std::size_t in
     return {document.images[index].name, image.extent.width, image.extent.height, std::move(image.rgba)};
 }
 
-/// Numbers the images that any material uses by their first use, writes the numbers into the textures, and gives the images.
+/// Numbers the images that any material uses by their first use, writes the numbers into the textures, and gives the
+/// images.
 std::vector<std::size_t> number_pictures(std::vector<Material>& materials, std::size_t images) {
     std::vector<std::size_t> used;
     std::vector<std::uint32_t> numbers(images, Texture::none);
     for (Material& material : materials) {
-        for (Texture* const texture : {&material.base_color_texture, &material.metallic_roughness_texture, &material.normal_texture,
-                                       &material.occlusion_texture, &material.emission_texture}) {
+        for (Texture* const texture :
+             {&material.base_color_texture, &material.metallic_roughness_texture, &material.normal_texture,
+              &material.occlusion_texture, &material.emission_texture}) {
             if (!*texture) continue;
             std::uint32_t& number = numbers[texture->picture];
             if (number == Texture::none) {
@@ -79,7 +83,8 @@ std::vector<std::size_t> number_pictures(std::vector<Material>& materials, std::
 
 } // namespace
 
-std::vector<Picture> load_pictures(Document const& document, std::vector<Material>& materials, int largest, Report& report) {
+std::vector<Picture> load_pictures(Document const& document, std::vector<Material>& materials, int largest,
+                                   Report& report) {
     std::vector<std::size_t> const used = number_pictures(materials, document.images.size());
     std::vector<std::vector<std::byte>> files;
     for (std::size_t index : used) files.push_back(read_image_bytes(document, index, report));
@@ -89,7 +94,8 @@ std::vector<Picture> load_pictures(Document const& document, std::vector<Materia
         images[n] = decode(files[n], "/images/" + std::to_string(used[n]), report);
     });
     std::vector<Picture> pictures;
-    for (std::size_t i = 0; i < used.size(); ++i) pictures.push_back(scaled_picture(std::move(images[i]), document, used[i], largest, report));
+    for (std::size_t i = 0; i < used.size(); ++i)
+        pictures.push_back(scaled_picture(std::move(images[i]), document, used[i], largest, report));
     return pictures;
 }
 

@@ -5,8 +5,9 @@
 
 namespace alpenglow::gltf {
 
-/// Decodes the pictures that `materials` use, each once, and turns `Texture::picture` into indices of the result. Pictures
-/// wider or higher than `largest` texels are halved until they fit. Throws Error(bad_input).
-std::vector<Picture> load_pictures(Document const& document, std::vector<Material>& materials, int largest, Report& report);
+/// Decodes the pictures that `materials` use, each once, and turns `Texture::picture` into indices of the result.
+/// Pictures wider or higher than `largest` texels are halved until they fit. Throws Error(bad_input).
+std::vector<Picture> load_pictures(Document const& document, std::vector<Material>& materials, int largest,
+                                   Report& report);
 
 } // namespace alpenglow::gltf

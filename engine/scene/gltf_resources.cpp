@@ -28,11 +28,12 @@ std::vector<std::byte> read_buffer(Source& source, std::size_t index, Report& re
     auto const length = json.at("byteLength").get<std::uint64_t>();
     auto const uri = json.find("uri");
     bool const in_chunk = uri == json.end();
-    if (in_chunk && !(source.binary && index == 0)) report.fail(pointer, "has no uri, and is not the binary chunk of a .glb");
+    if (in_chunk && !(source.binary && index == 0))
+        report.fail(pointer, "has no uri, and is not the binary chunk of a .glb");
     std::vector<std::byte> bytes = in_chunk ? std::move(source.chunk) : read_uri(*uri, pointer + "/uri", report);
     if (bytes.size() < length) {
-        report.fail(pointer + "/byteLength", "is " + std::to_string(length) + ", but there are " +
-                                                 std::to_string(bytes.size()) + " bytes");
+        report.fail(pointer + "/byteLength",
+                    "is " + std::to_string(length) + ", but there are " + std::to_string(bytes.size()) + " bytes");
     }
     bytes.resize(length);
     return bytes;
@@ -53,7 +54,8 @@ std::vector<std::byte> read_image_bytes(Document const& document, std::size_t im
     std::string const pointer = "/images/" + std::to_string(image);
     if (source.view == no_index) return read_uri(source.uri, pointer + "/uri", report);
     BufferView const& view = document.views[static_cast<std::size_t>(source.view)];
-    auto const first = document.buffers[static_cast<std::size_t>(view.buffer)].begin() + static_cast<std::ptrdiff_t>(view.offset);
+    auto const first =
+        document.buffers[static_cast<std::size_t>(view.buffer)].begin() + static_cast<std::ptrdiff_t>(view.offset);
     return {first, first + static_cast<std::ptrdiff_t>(view.length)};
 }
 

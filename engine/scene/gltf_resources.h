@@ -5,8 +5,8 @@
 
 namespace alpenglow::gltf {
 
-/// The bytes of every buffer: from the .glb's chunk, from data URIs, or from files in the scene's folder and nowhere else.
-/// Throws Error(bad_input) where one is missing or shorter than its byteLength.
+/// The bytes of every buffer: from the .glb's chunk, from data URIs, or from files in the scene's folder and nowhere
+/// else. Throws Error(bad_input) where one is missing or shorter than its byteLength.
 std::vector<std::vector<std::byte>> read_buffers(Source& source, Report& report);
 
 /// The encoded bytes (PNG or JPEG) of picture `image`. Throws Error(bad_input).

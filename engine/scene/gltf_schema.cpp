@@ -25,9 +25,9 @@ struct Rule {
     Kind kind;
     bool required = false;
     double lowest = -infinity, highest = infinity;
-    std::size_t length = 0;          ///< of `numbers`
-    std::string_view allowed = {};   ///< "|5120|5121|": the only values that a text or integer may take
-    std::string_view target = {};    ///< the array that an `index` points into
+    std::size_t length = 0;        ///< of `numbers`
+    std::string_view allowed = {}; ///< "|5120|5121|": the only values that a text or integer may take
+    std::string_view target = {};  ///< the array that an `index` points into
 };
 
 constexpr bool needed = true;
@@ -46,7 +46,8 @@ constexpr Rule choice_at(std::string_view path, std::string_view allowed, bool r
 constexpr Rule number_at(std::string_view path, double lowest = -infinity, double highest = infinity) {
     return {path, Kind::number, false, lowest, highest};
 }
-constexpr Rule numbers_at(std::string_view path, std::size_t length, double lowest = -infinity, double highest = infinity) {
+constexpr Rule numbers_at(std::string_view path, std::size_t length, double lowest = -infinity,
+                          double highest = infinity) {
     return {path, Kind::numbers, false, lowest, highest, length};
 }
 constexpr Rule index_at(std::string_view path, std::string_view target, bool required = false) {
@@ -59,18 +60,28 @@ constexpr std::string_view wraps = "|10497|33071|33648|";
 
 // glTF 2.0 specification, section 5 (property reference). A parent stands before its members.
 constexpr auto rules = std::to_array<Rule>({
-    object_at("asset", needed), text_at("asset/version", needed), text_at("asset/minVersion"),
-    text_at("extensionsUsed/*"), text_at("extensionsRequired/*"),
-    object_at("buffers/*"), integer_at("buffers/*/byteLength", 1, largest_size, needed), text_at("buffers/*/uri"),
-    object_at("bufferViews/*"), index_at("bufferViews/*/buffer", "buffers", needed),
+    object_at("asset", needed),
+    text_at("asset/version", needed),
+    text_at("asset/minVersion"),
+    text_at("extensionsUsed/*"),
+    text_at("extensionsRequired/*"),
+    object_at("buffers/*"),
+    integer_at("buffers/*/byteLength", 1, largest_size, needed),
+    text_at("buffers/*/uri"),
+    object_at("bufferViews/*"),
+    index_at("bufferViews/*/buffer", "buffers", needed),
     integer_at("bufferViews/*/byteOffset", 0, largest_size),
-    integer_at("bufferViews/*/byteLength", 1, largest_size, needed), integer_at("bufferViews/*/byteStride", 4, 252),
-    object_at("accessors/*"), index_at("accessors/*/bufferView", "bufferViews"),
+    integer_at("bufferViews/*/byteLength", 1, largest_size, needed),
+    integer_at("bufferViews/*/byteStride", 4, 252),
+    object_at("accessors/*"),
+    index_at("accessors/*/bufferView", "bufferViews"),
     integer_at("accessors/*/byteOffset", 0, largest_size),
-    choice_at("accessors/*/componentType", component_types, needed), flag_at("accessors/*/normalized"),
+    choice_at("accessors/*/componentType", component_types, needed),
+    flag_at("accessors/*/normalized"),
     integer_at("accessors/*/count", 1, largest_size, needed),
     text_at("accessors/*/type", needed, "|SCALAR|VEC2|VEC3|VEC4|MAT2|MAT3|MAT4|"),
-    object_at("accessors/*/sparse"), integer_at("accessors/*/sparse/count", 1, largest_int, needed),
+    object_at("accessors/*/sparse"),
+    integer_at("accessors/*/sparse/count", 1, largest_int, needed),
     object_at("accessors/*/sparse/indices", needed),
     index_at("accessors/*/sparse/indices/bufferView", "bufferViews", needed),
     integer_at("accessors/*/sparse/indices/byteOffset", 0, largest_int),
@@ -78,13 +89,22 @@ constexpr auto rules = std::to_array<Rule>({
     object_at("accessors/*/sparse/values", needed),
     index_at("accessors/*/sparse/values/bufferView", "bufferViews", needed),
     integer_at("accessors/*/sparse/values/byteOffset", 0, largest_int),
-    object_at("images/*"), text_at("images/*/uri"), text_at("images/*/mimeType"), text_at("images/*/name"),
+    object_at("images/*"),
+    text_at("images/*/uri"),
+    text_at("images/*/mimeType"),
+    text_at("images/*/name"),
     index_at("images/*/bufferView", "bufferViews"),
-    object_at("samplers/*"), choice_at("samplers/*/magFilter", "|9728|9729|"),
-    choice_at("samplers/*/minFilter", "|9728|9729|9984|9985|9986|9987|"), choice_at("samplers/*/wrapS", wraps),
+    object_at("samplers/*"),
+    choice_at("samplers/*/magFilter", "|9728|9729|"),
+    choice_at("samplers/*/minFilter", "|9728|9729|9984|9985|9986|9987|"),
+    choice_at("samplers/*/wrapS", wraps),
     choice_at("samplers/*/wrapT", wraps),
-    object_at("textures/*"), index_at("textures/*/sampler", "samplers"), index_at("textures/*/source", "images"),
-    object_at("materials/*"), text_at("materials/*/name"), object_at("materials/*/pbrMetallicRoughness"),
+    object_at("textures/*"),
+    index_at("textures/*/sampler", "samplers"),
+    index_at("textures/*/source", "images"),
+    object_at("materials/*"),
+    text_at("materials/*/name"),
+    object_at("materials/*/pbrMetallicRoughness"),
     numbers_at("materials/*/pbrMetallicRoughness/baseColorFactor", 4, 0, 1),
     number_at("materials/*/pbrMetallicRoughness/metallicFactor", 0, 1),
     number_at("materials/*/pbrMetallicRoughness/roughnessFactor", 0, 1),
@@ -94,29 +114,52 @@ constexpr auto rules = std::to_array<Rule>({
     object_at("materials/*/pbrMetallicRoughness/metallicRoughnessTexture"),
     index_at("materials/*/pbrMetallicRoughness/metallicRoughnessTexture/index", "textures", needed),
     integer_at("materials/*/pbrMetallicRoughness/metallicRoughnessTexture/texCoord", 0, largest_int),
-    object_at("materials/*/normalTexture"), index_at("materials/*/normalTexture/index", "textures", needed),
-    integer_at("materials/*/normalTexture/texCoord", 0, largest_int), number_at("materials/*/normalTexture/scale"),
-    object_at("materials/*/occlusionTexture"), index_at("materials/*/occlusionTexture/index", "textures", needed),
+    object_at("materials/*/normalTexture"),
+    index_at("materials/*/normalTexture/index", "textures", needed),
+    integer_at("materials/*/normalTexture/texCoord", 0, largest_int),
+    number_at("materials/*/normalTexture/scale"),
+    object_at("materials/*/occlusionTexture"),
+    index_at("materials/*/occlusionTexture/index", "textures", needed),
     integer_at("materials/*/occlusionTexture/texCoord", 0, largest_int),
     number_at("materials/*/occlusionTexture/strength", 0, 1),
-    object_at("materials/*/emissiveTexture"), index_at("materials/*/emissiveTexture/index", "textures", needed),
+    object_at("materials/*/emissiveTexture"),
+    index_at("materials/*/emissiveTexture/index", "textures", needed),
     integer_at("materials/*/emissiveTexture/texCoord", 0, largest_int),
     numbers_at("materials/*/emissiveFactor", 3, 0, 1),
-    text_at("materials/*/alphaMode", false, "|OPAQUE|MASK|BLEND|"), number_at("materials/*/alphaCutoff", 0),
+    text_at("materials/*/alphaMode", false, "|OPAQUE|MASK|BLEND|"),
+    number_at("materials/*/alphaCutoff", 0),
     flag_at("materials/*/doubleSided"),
-    object_at("meshes/*"), text_at("meshes/*/name"), {"meshes/*/primitives", Kind::filled_array, needed},
-    object_at("meshes/*/primitives/*"), {"meshes/*/primitives/*/attributes", Kind::filled_object, needed},
-    index_at("meshes/*/primitives/*/attributes/%", "accessors"), index_at("meshes/*/primitives/*/indices", "accessors"),
-    index_at("meshes/*/primitives/*/material", "materials"), integer_at("meshes/*/primitives/*/mode", 0, 6),
-    object_at("meshes/*/primitives/*/targets/*"), index_at("meshes/*/primitives/*/targets/*/%", "accessors"),
-    object_at("skins/*"), {"skins/*/joints", Kind::filled_array, needed}, index_at("skins/*/joints/*", "nodes"),
-    index_at("skins/*/skeleton", "nodes"), index_at("skins/*/inverseBindMatrices", "accessors"),
-    object_at("cameras/*"), object_at("animations/*"),
-    object_at("nodes/*"), text_at("nodes/*/name"), index_at("nodes/*/children/*", "nodes"),
-    index_at("nodes/*/mesh", "meshes"), index_at("nodes/*/camera", "cameras"), index_at("nodes/*/skin", "skins"),
-    numbers_at("nodes/*/matrix", 16), numbers_at("nodes/*/translation", 3), numbers_at("nodes/*/rotation", 4, -1, 1),
+    object_at("meshes/*"),
+    text_at("meshes/*/name"),
+    {"meshes/*/primitives", Kind::filled_array, needed},
+    object_at("meshes/*/primitives/*"),
+    {"meshes/*/primitives/*/attributes", Kind::filled_object, needed},
+    index_at("meshes/*/primitives/*/attributes/%", "accessors"),
+    index_at("meshes/*/primitives/*/indices", "accessors"),
+    index_at("meshes/*/primitives/*/material", "materials"),
+    integer_at("meshes/*/primitives/*/mode", 0, 6),
+    object_at("meshes/*/primitives/*/targets/*"),
+    index_at("meshes/*/primitives/*/targets/*/%", "accessors"),
+    object_at("skins/*"),
+    {"skins/*/joints", Kind::filled_array, needed},
+    index_at("skins/*/joints/*", "nodes"),
+    index_at("skins/*/skeleton", "nodes"),
+    index_at("skins/*/inverseBindMatrices", "accessors"),
+    object_at("cameras/*"),
+    object_at("animations/*"),
+    object_at("nodes/*"),
+    text_at("nodes/*/name"),
+    index_at("nodes/*/children/*", "nodes"),
+    index_at("nodes/*/mesh", "meshes"),
+    index_at("nodes/*/camera", "cameras"),
+    index_at("nodes/*/skin", "skins"),
+    numbers_at("nodes/*/matrix", 16),
+    numbers_at("nodes/*/translation", 3),
+    numbers_at("nodes/*/rotation", 4, -1, 1),
     numbers_at("nodes/*/scale", 3),
-    object_at("scenes/*"), index_at("scenes/*/nodes/*", "nodes"), index_at("scene", "scenes"),
+    object_at("scenes/*"),
+    index_at("scenes/*/nodes/*", "nodes"),
+    index_at("scene", "scenes"),
 });
 
 class Checker {
@@ -156,22 +199,29 @@ private:
 
     void check(Json& value) const {
         switch (rule_.kind) {
-        case Kind::object: return require(value.is_object(), "must be an object");
-        case Kind::filled_object: return require(value.is_object() && !value.empty(), "must be an object that is not empty");
-        case Kind::filled_array: return require(value.is_array() && !value.empty(), "must be an array that is not empty");
-        case Kind::boolean: return require(value.is_boolean(), "must be true or false");
+        case Kind::object:
+            return require(value.is_object(), "must be an object");
+        case Kind::filled_object:
+            return require(value.is_object() && !value.empty(), "must be an object that is not empty");
+        case Kind::filled_array:
+            return require(value.is_array() && !value.empty(), "must be an array that is not empty");
+        case Kind::boolean:
+            return require(value.is_boolean(), "must be true or false");
         case Kind::text:
             require(value.is_string(), "must be a text");
             return check_allowed(value.get_ref<std::string const&>());
-        case Kind::number: return check_number(value);
+        case Kind::number:
+            return check_number(value);
         case Kind::numbers:
             if (!value.is_array() || value.size() != rule_.length) {
                 fail("must be an array of " + std::to_string(rule_.length) + " numbers");
             }
             for (Json const& number : value) check_number(number);
             return;
-        case Kind::integer: return check_integer(value);
-        case Kind::index: return check_index(value);
+        case Kind::integer:
+            return check_integer(value);
+        case Kind::index:
+            return check_index(value);
         }
     }
 
@@ -198,8 +248,10 @@ private:
 
     void check_allowed(std::string const& value) const {
         if (rule_.allowed.empty()) return;
-        if (value.find('|') == std::string::npos && rule_.allowed.find("|" + value + "|") != std::string_view::npos) return;
-        fail("\"" + printable(value) + "\" is not one of " + std::string(rule_.allowed.substr(1, rule_.allowed.size() - 2)));
+        if (value.find('|') == std::string::npos && rule_.allowed.find("|" + value + "|") != std::string_view::npos)
+            return;
+        fail("\"" + printable(value) + "\" is not one of " +
+             std::string(rule_.allowed.substr(1, rule_.allowed.size() - 2)));
     }
 
     void check_index(Json& value) const {
@@ -207,7 +259,8 @@ private:
         auto const target = root_.find(rule_.target);
         std::size_t const size = target != root_.end() && target->is_array() ? target->size() : 0;
         if (std::size_t const index = value.get<std::size_t>(); index >= size) {
-            fail("is " + std::to_string(index) + ", but there are " + std::to_string(size) + " " + std::string(rule_.target));
+            fail("is " + std::to_string(index) + ", but there are " + std::to_string(size) + " " +
+                 std::string(rule_.target));
         }
     }
 
@@ -221,7 +274,8 @@ private:
 std::pair<int, int> parse_version(std::string const& text, char const* pointer, Report const& report) {
     std::size_t const dot = text.find('.');
     auto const is_number = [](std::string_view part) {
-        return !part.empty() && part.size() < 6 && std::ranges::all_of(part, [](char c) { return c >= '0' && c <= '9'; });
+        return !part.empty() && part.size() < 6 &&
+               std::ranges::all_of(part, [](char c) { return c >= '0' && c <= '9'; });
     };
     if (dot == std::string::npos || !is_number(text.substr(0, dot)) || !is_number(text.substr(dot + 1))) {
         report.fail(pointer, "\"" + printable(text) + "\" is not a version");
@@ -253,8 +307,8 @@ void check_version_and_extensions(Json const& json, Report& report) {
         for (std::size_t i = 0; i < names->size(); ++i) {
             std::string const name = (*names)[i];
             if (!is_supported(name)) {
-                report.fail("/extensionsRequired/" + std::to_string(i), printable(name) + " is required and not supported",
-                            "export the scene without it");
+                report.fail("/extensionsRequired/" + std::to_string(i),
+                            printable(name) + " is required and not supported", "export the scene without it");
             }
         }
     }

@@ -16,8 +16,8 @@ constexpr std::uint64_t largest_file = std::uint64_t{4} << 30; // a .glb's lengt
 constexpr int deepest_json = 100;
 constexpr std::size_t most_json_values = 8'000'000; // about 0.5 GiB once parsed
 
-constexpr std::uint32_t glb_magic = 0x46546C67; // "glTF"
-constexpr std::uint32_t json_chunk = 0x4E4F534A; // "JSON"
+constexpr std::uint32_t glb_magic = 0x46546C67;    // "glTF"
+constexpr std::uint32_t json_chunk = 0x4E4F534A;   // "JSON"
 constexpr std::uint32_t binary_chunk = 0x004E4942; // "BIN"
 
 std::uint32_t word_at(Bytes bytes, std::size_t offset) {
@@ -37,8 +37,8 @@ std::optional<Chunk> take_chunk(Bytes& rest, Report const& report) {
     if (rest.size() < 8) report.fail("", "GLB ends in the middle of a chunk's header");
     std::uint32_t const length = word_at(rest, 0);
     if (length > rest.size() - 8) {
-        report.fail("", "GLB chunk of " + std::to_string(length) + " bytes, but only " + std::to_string(rest.size() - 8) +
-                            " are left");
+        report.fail("", "GLB chunk of " + std::to_string(length) + " bytes, but only " +
+                            std::to_string(rest.size() - 8) + " are left");
     }
     Chunk const chunk{word_at(rest, 4), rest.subspan(8, length)};
     rest = rest.subspan(8 + length);
@@ -56,7 +56,8 @@ Parts split_glb(Bytes file, Report const& report) {
     }
     std::uint32_t const length = word_at(file, 8);
     if (length < 12 || length > file.size()) {
-        report.fail("", "GLB header says " + std::to_string(length) + " bytes, the file has " + std::to_string(file.size()));
+        report.fail("", "GLB header says " + std::to_string(length) + " bytes, the file has " +
+                            std::to_string(file.size()));
     }
     Bytes rest = file.subspan(12, length - 12);
     std::optional<Chunk> const first = take_chunk(rest, report);
@@ -78,19 +79,26 @@ void check_json_shape(std::string_view text, Report const& report) {
     for (std::size_t i = 0; i < text.size(); ++i) {
         char const c = text[i];
         if (in_string) {
-            if (c == '\\') ++i;
-            else if (c == '"') in_string = false;
+            if (c == '\\')
+                ++i;
+            else if (c == '"')
+                in_string = false;
             continue;
         }
-        if (c == '"') in_string = true;
-        else if (c == ',' || c == ':') ++values;
-        else if (c == ']' || c == '}') --depth;
+        if (c == '"')
+            in_string = true;
+        else if (c == ',' || c == ':')
+            ++values;
+        else if (c == ']' || c == '}')
+            --depth;
         else if (c == '[' || c == '{') {
             ++values;
-            if (++depth > deepest_json) report.fail("", "JSON is nested deeper than " + std::to_string(deepest_json) + " levels");
+            if (++depth > deepest_json)
+                report.fail("", "JSON is nested deeper than " + std::to_string(deepest_json) + " levels");
         }
     }
-    if (values > most_json_values) report.fail("", "JSON holds more than " + std::to_string(most_json_values) + " values");
+    if (values > most_json_values)
+        report.fail("", "JSON holds more than " + std::to_string(most_json_values) + " values");
 }
 
 nlohmann::json parse_json(Bytes bytes, Report const& report) {

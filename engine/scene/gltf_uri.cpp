@@ -21,7 +21,8 @@ std::string percent_decoded(std::string_view text) {
     std::string result;
     result.reserve(text.size());
     for (std::size_t i = 0; i < text.size(); ++i) {
-        bool const escape = text[i] == '%' && i + 2 < text.size() && hex_digit(text[i + 1]) >= 0 && hex_digit(text[i + 2]) >= 0;
+        bool const escape =
+            text[i] == '%' && i + 2 < text.size() && hex_digit(text[i + 1]) >= 0 && hex_digit(text[i + 2]) >= 0;
         result += escape ? static_cast<char>(hex_digit(text[i + 1]) * 16 + hex_digit(text[i + 2])) : text[i];
         if (escape) i += 2;
     }
@@ -33,7 +34,8 @@ std::array<signed char, 256> make_base64_values() {
     std::array<signed char, 256> values;
     values.fill(-1);
     std::string_view const alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    for (std::size_t i = 0; i < alphabet.size(); ++i) values[static_cast<unsigned char>(alphabet[i])] = static_cast<signed char>(i);
+    for (std::size_t i = 0; i < alphabet.size(); ++i)
+        values[static_cast<unsigned char>(alphabet[i])] = static_cast<signed char>(i);
     return values;
 }
 
@@ -54,13 +56,14 @@ DataUri decode_base64(std::string_view text) {
     return data;
 }
 
-/// A scheme is a letter and then letters, digits, "+", "-" or "." up to a colon (RFC 3986, section 3.1); this takes in drives.
+/// A scheme is a letter and then letters, digits, "+", "-" or "." up to a colon (RFC 3986, section 3.1); this takes in
+/// drives.
 bool has_scheme(std::string_view uri) {
     std::size_t const colon = uri.find(':');
-    if (colon == std::string_view::npos || colon == 0 || !std::isalpha(static_cast<unsigned char>(uri[0]))) return false;
-    return std::all_of(uri.begin(), uri.begin() + static_cast<std::ptrdiff_t>(colon), [](unsigned char c) {
-        return std::isalnum(c) || c == '+' || c == '-' || c == '.';
-    });
+    if (colon == std::string_view::npos || colon == 0 || !std::isalpha(static_cast<unsigned char>(uri[0])))
+        return false;
+    return std::all_of(uri.begin(), uri.begin() + static_cast<std::ptrdiff_t>(colon),
+                       [](unsigned char c) { return std::isalnum(c) || c == '+' || c == '-' || c == '.'; });
 }
 
 bool is_inside(fs::path const& path, fs::path const& folder) {
@@ -69,7 +72,8 @@ bool is_inside(fs::path const& path, fs::path const& folder) {
     if (error) return false;
     fs::path const real_path = fs::weakly_canonical(path, error);
     if (error) return false;
-    auto const [end, ignored] = std::mismatch(real_folder.begin(), real_folder.end(), real_path.begin(), real_path.end());
+    auto const [end, ignored] =
+        std::mismatch(real_folder.begin(), real_folder.end(), real_path.begin(), real_path.end());
     return end == real_folder.end();
 }
 

@@ -16,8 +16,9 @@ struct DataUri {
 };
 std::optional<DataUri> parse_data_uri(std::string_view uri);
 
-/// The file that a relative URI names, percent-decoded once. `reason` is set, and the path empty, where it is not a plain
-/// path inside `folder`: absolute, with a scheme, "..", a backslash, a NUL, or through a link that leaves the folder.
+/// The file that a relative URI names, percent-decoded once. `reason` is set, and the path empty, where it is not a
+/// plain path inside `folder`: absolute, with a scheme, "..", a backslash, a NUL, or through a link that leaves the
+/// folder.
 struct FileUri {
     std::filesystem::path path;
     std::string reason;

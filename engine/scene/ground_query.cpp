@@ -10,9 +10,10 @@ namespace {
 constexpr double LEAST_COSINE = 0.17; // about 80 degrees from the anchor: the map's edge runs away to infinity
 constexpr int LARGEST_SIDE = 512;
 
-/// How far along the unit direction from the planet's centre the triangle lies [m], from either side. From differences of its
-/// corners: products of whole positions would leave a few metres of a triangle of a few metres.
-std::optional<double> distance_to(glm::dvec3 const& direction, glm::dvec3 const& a, glm::dvec3 const& b, glm::dvec3 const& c) {
+/// How far along the unit direction from the planet's centre the triangle lies [m], from either side. From differences
+/// of its corners: products of whole positions would leave a few metres of a triangle of a few metres.
+std::optional<double> distance_to(glm::dvec3 const& direction, glm::dvec3 const& a, glm::dvec3 const& b,
+                                  glm::dvec3 const& c) {
     constexpr double SLACK = 1e-6; // a place on an edge is in one of its triangles at least
     glm::dvec3 const ab = b - a, ac = c - a, normal = glm::cross(ab, ac);
     double const facing = glm::dot(direction, normal);
@@ -28,8 +29,8 @@ std::optional<double> distance_to(glm::dvec3 const& direction, glm::dvec3 const&
 } // namespace
 
 GroundQuery::GroundQuery(Scene const& scene, Placement const& placement, double planet_radius)
-    : radius_(planet_radius),
-      anchor_from_world_(glm::transpose(world_from_east_north_up(placement.anchor.latitude, placement.anchor.longitude))) {
+    : radius_(planet_radius), anchor_from_world_(glm::transpose(
+                                  world_from_east_north_up(placement.anchor.latitude, placement.anchor.longitude))) {
     add_vertices(scene, world_from_scene(placement, planet_radius));
     fill_grid();
 }
@@ -39,7 +40,8 @@ void GroundQuery::add_vertices(Scene const& scene, glm::dmat4 const& world_from_
         Mesh const& mesh = scene.meshes[instance.mesh];
         glm::dmat4 const world_from_mesh = world_from_scene * instance.scene_from_mesh;
         auto const base = static_cast<std::uint32_t>(vertices_.size());
-        for (Vertex const& vertex : mesh.vertices) vertices_.emplace_back(world_from_mesh * glm::dvec4(vertex.position, 1));
+        for (Vertex const& vertex : mesh.vertices)
+            vertices_.emplace_back(world_from_mesh * glm::dvec4(vertex.position, 1));
         for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
             triangles_.push_back({base + mesh.indices[i], base + mesh.indices[i + 1], base + mesh.indices[i + 2]});
         }

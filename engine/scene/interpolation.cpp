@@ -76,11 +76,13 @@ glm::dquat turned(glm::dquat const& a, glm::dvec3 const& turn) {
     return glm::normalize(glm::angleAxis(angle, turn / angle) * a);
 }
 
-glm::dvec3 hermite(glm::dvec3 const& a, glm::dvec3 const& slope_a, glm::dvec3 const& slope_b, glm::dvec3 const& b, double u) {
+glm::dvec3 hermite(glm::dvec3 const& a, glm::dvec3 const& slope_a, glm::dvec3 const& slope_b, glm::dvec3 const& b,
+                   double u) {
     return bezier(a, walk_great_circle(a, slope_a / 3.0), walk_great_circle(b, -slope_b / 3.0), b, u);
 }
 
-glm::dquat hermite(glm::dquat const& a, glm::dvec3 const& slope_a, glm::dvec3 const& slope_b, glm::dquat const& b, double u) {
+glm::dquat hermite(glm::dquat const& a, glm::dvec3 const& slope_a, glm::dvec3 const& slope_b, glm::dquat const& b,
+                   double u) {
     return bezier(a, turned(a, slope_a / 3.0), turned(b, -slope_b / 3.0), b, u);
 }
 

@@ -59,8 +59,8 @@ public:
 private:
     void add_key(std::string const& key) {
         if (open_.back().insert(key).second) return;
-        throw Error(ErrorKind::bad_input, fmt::format("key {} stands twice in one object", quote(key)),
-                    file_, "remove one of the two");
+        throw Error(ErrorKind::bad_input, fmt::format("key {} stands twice in one object", quote(key)), file_,
+                    "remove one of the two");
     }
 
     std::string file_;
@@ -78,7 +78,8 @@ nlohmann::json parse(std::filesystem::path const& path) {
 }
 
 std::string range_text(NumberKey const& key) {
-    return fmt::format("{} {} and at most {}", key.above_smallest ? "more than" : "at least", key.smallest, key.largest);
+    return fmt::format("{} {} and at most {}", key.above_smallest ? "more than" : "at least", key.smallest,
+                       key.largest);
 }
 
 } // namespace
@@ -90,7 +91,8 @@ void Value::refuse(std::string const& what, std::string const& advice) const {
 std::string Value::quoted() const { return quote(*json_); }
 
 double Value::number(NumberKey const& key) const {
-    if (!json_->is_number()) refuse(quoted() + " is not a number", fmt::format("give {}, {}", key.help, range_text(key)));
+    if (!json_->is_number())
+        refuse(quoted() + " is not a number", fmt::format("give {}, {}", key.help, range_text(key)));
     double const number = json_->get<double>();
     bool const high_enough = key.above_smallest ? number > key.smallest : number >= key.smallest;
     if (!std::isfinite(number) || !high_enough || number > key.largest) {
@@ -112,7 +114,8 @@ bool Value::boolean() const {
 }
 
 glm::dvec3 Value::triple(NumberKey const& key) const {
-    if (!json_->is_array() || json_->size() != 3) refuse(quoted() + " is not a list of three numbers", "give red, green and blue");
+    if (!json_->is_array() || json_->size() != 3)
+        refuse(quoted() + " is not a list of three numbers", "give red, green and blue");
     std::vector<Value> const channels = list();
     return {channels[0].number(key), channels[1].number(key), channels[2].number(key)};
 }
@@ -127,7 +130,8 @@ std::vector<Value> Value::list() const {
 }
 
 Object Value::object(std::vector<std::string_view> known) const {
-    if (!json_->is_object()) refuse(quoted() + " is not an object", fmt::format("its keys are {}", fmt::join(known, ", ")));
+    if (!json_->is_object())
+        refuse(quoted() + " is not an object", fmt::format("its keys are {}", fmt::join(known, ", ")));
     for (auto const& [key, value] : json_->items()) {
         if (std::ranges::find(known, std::string_view(key)) != known.end()) continue;
         std::string advice = suggestion(key, known);

@@ -15,7 +15,8 @@ Box scene_bounds(Scene const& scene) {
             for (int corner = 0; corner < 8; ++corner) {
                 glm::dvec3 const& low = part.bounds.lowest;
                 glm::dvec3 const& high = part.bounds.highest;
-                glm::dvec4 const point(corner & 1 ? high.x : low.x, corner & 2 ? high.y : low.y, corner & 4 ? high.z : low.z, 1);
+                glm::dvec4 const point(corner & 1 ? high.x : low.x, corner & 2 ? high.y : low.y,
+                                       corner & 4 ? high.z : low.z, 1);
                 bounds.include(glm::dvec3(instance.scene_from_mesh * point));
             }
         }

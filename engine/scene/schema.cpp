@@ -26,7 +26,11 @@ Json number_schema(NumberKey const& key) {
 Json triple_schema(NumberKey const& key, std::string const& description) {
     NumberKey channel = key;
     channel.help = "of red, green, blue";
-    return {{"type", "array"}, {"description", description}, {"items", number_schema(channel)}, {"minItems", 3}, {"maxItems", 3}};
+    return {{"type", "array"},
+            {"description", description},
+            {"items", number_schema(channel)},
+            {"minItems", 3},
+            {"maxItems", 3}};
 }
 
 Json object_schema(std::string const& description, Json properties, std::vector<std::string> const& required) {
@@ -71,9 +75,12 @@ Json setting_schema(SettingInfo const& info) {
     bool const whole = info.member.index() == 1;
     Json schema{{"type", TYPES[info.member.index()]}};
     schema["description"] = std::string(info.help) + (info.unit.empty() ? "" : " [" + std::string(info.unit) + "]");
-    if (!info.choices.empty()) schema["enum"] = choices_schema(info, whole);
-    else if (whole) schema["minimum"] = static_cast<int>(info.smallest), schema["maximum"] = static_cast<int>(info.largest);
-    else if (info.member.index() == 2) schema["minimum"] = info.smallest, schema["maximum"] = info.largest;
+    if (!info.choices.empty())
+        schema["enum"] = choices_schema(info, whole);
+    else if (whole)
+        schema["minimum"] = static_cast<int>(info.smallest), schema["maximum"] = static_cast<int>(info.largest);
+    else if (info.member.index() == 2)
+        schema["minimum"] = info.smallest, schema["maximum"] = info.largest;
     std::visit([&](auto const& plain) { schema["default"] = plain; }, get_setting(Settings{}, info));
     return schema;
 }
@@ -82,32 +89,38 @@ Json scene_schema() {
     std::vector<NumberKey> const keys{json::LATITUDE, json::LONGITUDE, json::ANCHOR_ALTITUDE, json::YAW, json::SCALE};
     Json properties{{"file", text_schema("as the text above")}};
     properties.update(numbers_schema(keys));
-    properties["curve"] = {{"type", "boolean"}, {"default", false}, {"description", "bend a scene made for a flat map to the planet"}};
+    properties["curve"] = {
+        {"type", "boolean"}, {"default", false}, {"description", "bend a scene made for a flat map to the planet"}};
     Json placed = object_schema("a scene and where it stands", std::move(properties), {"file"});
     placed["dependentRequired"] = {{"latitude", {"longitude"}}, {"longitude", {"latitude"}}, {"altitude", {"latitude"}},
-                                   {"yaw", {"latitude"}}, {"scale", {"latitude"}}, {"curve", {"latitude"}}};
-    return {{"oneOf", {text_schema("path of a glTF file from this file's folder; \"default\": the generated terrain; empty: none"),
-                       std::move(placed)}}};
+                                   {"yaw", {"latitude"}},       {"scale", {"latitude"}},     {"curve", {"latitude"}}};
+    return {
+        {"oneOf",
+         {text_schema("path of a glTF file from this file's folder; \"default\": the generated terrain; empty: none"),
+          std::move(placed)}}};
 }
 
 Json sun_schema() {
     std::vector<NumberKey> const keys{json::ELEVATION, json::AZIMUTH};
     Json const utc = text_schema("a time from 1900 to 2100 like 2026-06-21T04:30:00Z");
-    return {{"oneOf", {object_schema("in the sky over the scene's anchor (the camera's ground point without a scene)",
-                                     numbers_schema(keys), required_names(keys)),
-                       object_schema("where it stands at a time over Earth", {{"utc", utc}}, {"utc"})}}};
+    return {{"oneOf",
+             {object_schema("in the sky over the scene's anchor (the camera's ground point without a scene)",
+                            numbers_schema(keys), required_names(keys)),
+              object_schema("where it stands at a time over Earth", {{"utc", utc}}, {"utc"})}}};
 }
 
 Json camera_schema() {
-    return object_schema("where the camera stands and looks", numbers_schema(json::CAMERA_KEYS), required_names(json::CAMERA_KEYS));
+    return object_schema("where the camera stands and looks", numbers_schema(json::CAMERA_KEYS),
+                         required_names(json::CAMERA_KEYS));
 }
 
 Json base_view_properties() {
-    Json properties{{"$schema", text_schema("this schema, for editors")},
-                    {"description", text_schema("for people")},
-                    {"planet", text_schema("a name from assets/planets, or a path from this file's folder; earth where left out")},
-                    {"scene", scene_schema()},
-                    {"sun", sun_schema()}};
+    Json properties{
+        {"$schema", text_schema("this schema, for editors")},
+        {"description", text_schema("for people")},
+        {"planet", text_schema("a name from assets/planets, or a path from this file's folder; earth where left out")},
+        {"scene", scene_schema()},
+        {"sun", sun_schema()}};
     for (SettingInfo const& info : setting_table()) properties[std::string(info.name)] = setting_schema(info);
     return properties;
 }
@@ -123,8 +136,10 @@ Json air_schema() {
     ozone["half_width"] = number_schema(json::OZONE_HALF_WIDTH);
     Json properties{{"top_altitude", number_schema(json::TOP_ALTITUDE)}};
     properties["rayleigh"] = object_schema("molecules", std::move(rayleigh), {"scattering", "scale_height"});
-    properties["aerosol"] = object_schema("dust and haze", std::move(aerosol), {"scattering", "extinction", "scale_height", "g"});
-    properties["ozone"] = object_schema("a tent of absorption", std::move(ozone), {"absorption", "centre", "half_width"});
+    properties["aerosol"] =
+        object_schema("dust and haze", std::move(aerosol), {"scattering", "extinction", "scale_height", "g"});
+    properties["ozone"] =
+        object_schema("a tent of absorption", std::move(ozone), {"absorption", "centre", "half_width"});
     return object_schema("left out: no air", std::move(properties), {"top_altitude", "rayleigh"});
 }
 
@@ -149,7 +164,8 @@ std::string planet_schema_text() {
 std::string view_schema_text() {
     Json properties = base_view_properties();
     properties["camera"] = camera_schema();
-    return file_text("Alpenglow view", object_schema("one picture: SI units, angles in degrees", std::move(properties), {"camera"}));
+    return file_text("Alpenglow view",
+                     object_schema("one picture: SI units, angles in degrees", std::move(properties), {"camera"}));
 }
 
 std::string flight_schema_text() {
@@ -160,9 +176,12 @@ std::string flight_schema_text() {
     key["camera"]["properties"]["fov"].erase("default");
     Json properties = base_view_properties();
     properties["ground"] = number_schema(json::GROUND);
-    properties["keys"] = {{"type", "array"}, {"minItems", 2}, {"description", "in order of time, the first at 0; what one leaves out is as before"},
+    properties["keys"] = {{"type", "array"},
+                          {"minItems", 2},
+                          {"description", "in order of time, the first at 0; what one leaves out is as before"},
                           {"items", object_schema("a view at a time", std::move(key), {"time", "camera"})}};
-    return file_text("Alpenglow flight", object_schema("timed views: SI units, angles in degrees", std::move(properties), {"keys"}));
+    return file_text("Alpenglow flight",
+                     object_schema("timed views: SI units, angles in degrees", std::move(properties), {"keys"}));
 }
 
 } // namespace alpenglow

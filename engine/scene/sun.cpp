@@ -68,8 +68,9 @@ Moment moment_from_utc(std::string const& utc) {
     return moment;
 }
 
-/// Apparent direction from the centre of the Earth in the frame of its celestial intermediate pole and origin: aberration,
-/// precession and nutation. TT stands for TDB (2 ms); the sun's own motion in 8 minutes of light time is 0.01".
+/// Apparent direction from the centre of the Earth in the frame of its celestial intermediate pole and origin:
+/// aberration, precession and nutation. TT stands for TDB (2 ms); the sun's own motion in 8 minutes of light time is
+/// 0.01".
 glm::dvec3 apparent_sun(Moment const& moment) {
     eraASTROM astrometry;
     double origins = 0;

@@ -28,7 +28,8 @@ struct SunPlace {
     std::optional<std::string> utc{};             ///< ISO 8601; decides where given
 };
 
-/// Unit vector to the sun in the world frame. A UTC time goes through ERFA: apparent place, Earth's rotation; no refraction.
+/// Unit vector to the sun in the world frame. A UTC time goes through ERFA: apparent place, Earth's rotation; no
+/// refraction.
 glm::dvec3 sun_direction(SunPlace const& sun, double latitude, double longitude);
 /// The same for a time like 2026-06-21T04:30:00Z, 1900 to 2100. Within 0.01 degrees of the almanac: UT1 is taken as UTC
 /// (0.004), the place is seen from Earth's centre (0.0024), polar motion is left out. Throws Error(bad_input).
@@ -58,32 +59,33 @@ std::string view_text(View const& view);
 
 /// The view's placement, or the default anchor's.
 Placement scene_placement(View const& view);
-/// Where the sun's elevation and azimuth are taken: the scene's anchor, or the camera's ground point where there is no scene.
+/// Where the sun's elevation and azimuth are taken: the scene's anchor, or the camera's ground point where there is no
+/// scene.
 Geodetic sun_anchor(View const& view);
 
 /// A view with everything looked up: what the renderer draws.
 struct World {
     Planet planet;
     Camera camera;
-    glm::dvec3 to_sun{0, 0, 1};           ///< unit, world
+    glm::dvec3 to_sun{0, 0, 1}; ///< unit, world
 };
 
 /// Throws Error(bad_input) where the camera is inside the planet.
 World make_world(View const& view, Planet const& planet);
 
-/// A list of timed views over one planet and scene (assets/flight.schema.json), with interpolation that is smooth over seven
-/// orders of magnitude of altitude: log-altitude, great circles, quaternion headings; monotone cubics in time.
+/// A list of timed views over one planet and scene (assets/flight.schema.json), with interpolation that is smooth over
+/// seven orders of magnitude of altitude: log-altitude, great circles, quaternion headings; monotone cubics in time.
 struct Flight {
     std::string name;
-    View base{};                          ///< planet, scene, placement, settings
+    View base{}; ///< planet, scene, placement, settings
     struct Key {
-        double time = 0;                  ///< [s]
+        double time = 0; ///< [s]
         CameraPlace camera;
         SunPlace sun;
-        double exposure = 0;              ///< [stops]
+        double exposure = 0; ///< [stops]
     };
-    std::vector<Key> keys{};              ///< at least two, times increasing from 0
-    double ground = 0;                    ///< [m] altitude at which the logarithm of the height starts
+    std::vector<Key> keys{}; ///< at least two, times increasing from 0
+    double ground = 0;       ///< [m] altitude at which the logarithm of the height starts
 
     double duration() const { return keys.back().time; }
     /// The view at a time, clamped to the flight. Its sun is the same direction in the world as that of the keys.

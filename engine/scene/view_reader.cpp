@@ -62,17 +62,22 @@ void read_scene(Value const& value, fs::path const& file, View& view) {
 int read_whole(Value const& value, SettingInfo const& info) {
     nlohmann::json const& number = value.json();
     double const real = number.is_number() ? number.get<double>() : NAN;
-    if (!(std::abs(real) <= 1e9) || real != std::floor(real)) value.refuse(value.quoted() + " is not a whole number", "give " + range_text(info));
+    if (!(std::abs(real) <= 1e9) || real != std::floor(real))
+        value.refuse(value.quoted() + " is not a whole number", "give " + range_text(info));
     return static_cast<int>(real);
 }
 
 /// Of the setting's own type.
 SettingValue read_setting_value(Value const& value, SettingInfo const& info) {
     switch (info.member.index()) {
-    case 0: return value.boolean();
-    case 1: return read_whole(value, info);
-    case 2: return value.number(json::setting_key(info));
-    default: return value.text();
+    case 0:
+        return value.boolean();
+    case 1:
+        return read_whole(value, info);
+    case 2:
+        return value.number(json::setting_key(info));
+    default:
+        return value.text();
     }
 }
 

@@ -22,7 +22,8 @@ struct Grain {
     double at(int x, int y) const { return values[std::size_t((y + size) % size) * size + (x + size) % size]; }
 };
 
-/// Octaves from 1/6 of the period down to three texels. The broadest are weak: they would show that the picture repeats.
+/// Octaves from 1/6 of the period down to three texels. The broadest are weak: they would show that the picture
+/// repeats.
 Grain make_grain(std::uint32_t seed, int size, int threads) {
     Grain grain{size, std::vector<double>(std::size_t(size) * size)};
     parallel_for(size, threads, [&](int y) {

@@ -90,8 +90,7 @@ private:
         double const altitude = 0.25 * (at[0].altitude + at[1].altitude + at[2].altitude + at[3].altitude);
         double const steepness = glm::length(slope), level = 1 / std::sqrt(1 + steepness * steepness);
         double const gully = 0.25 * (at[0].gully + at[1].gully + at[2].gully + at[3].gully);
-        glm::dvec3 const albedo =
-            ground_albedo(seed_, {p.x, p.y, altitude, steepness, -slope.y * level, gully});
+        glm::dvec3 const albedo = ground_albedo(seed_, {p.x, p.y, altitude, steepness, -slope.y * level, gully});
 
         glm::dvec3 const up = relief_.up(p.x, p.y), east = glm::normalize(glm::dvec3(up.y, -up.x, 0));
         glm::dvec3 const n = vertex_normal(tile_, (i + 0.5) / count_, (j + 0.5) / count_);
@@ -188,7 +187,8 @@ void clad_far_tiles(std::vector<Tile>& tiles, std::vector<FarMap>& maps, Relief 
         glm::dvec2 const corner = glm::dvec2(tile.key.x, tile.key.y) * size - 0.5 * side;
         FarMap& map = maps[finest_map(maps, corner, size)];
         if (size >= map.texel()) Painter(relief, seed, map, tile, corner, size).paint();
-        if (size / Tile::CELLS > 1.01 * map.texel()) lay_on(map, tile, corner, size), tile.map = static_cast<int>(&map - maps.data());
+        if (size / Tile::CELLS > 1.01 * map.texel())
+            lay_on(map, tile, corner, size), tile.map = static_cast<int>(&map - maps.data());
         std::lock_guard const lock(mutex);
         tile_done(++done, count);
     });

@@ -58,7 +58,8 @@ void GltfWriter::write(std::filesystem::path const& file) {
 
 void GltfWriter::write_glb(std::filesystem::path const& file) {
     for (Picture const& p : pictures_) {
-        json["images"].push_back({{"name", p.name}, {"mimeType", "image/" + p.kind}, {"bufferView", add_view(p.bytes)}});
+        json["images"].push_back(
+            {{"name", p.name}, {"mimeType", "image/" + p.kind}, {"bufferView", add_view(p.bytes)}});
     }
     align(binary_, 0);
     json["buffers"] = {{{"byteLength", binary_.size()}}};

@@ -14,8 +14,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // Numbers of the glTF 2.0 specification.
-constexpr int UNSIGNED_SHORT = 5123, FLOAT = 5126, ARRAY_BUFFER = 34962, ELEMENT_ARRAY_BUFFER = 34963, REPEAT = 10497, CLAMP_TO_EDGE = 33071,
-              LINEAR = 9729, LINEAR_MIPMAP_LINEAR = 9987;
+constexpr int UNSIGNED_SHORT = 5123, FLOAT = 5126, ARRAY_BUFFER = 34962, ELEMENT_ARRAY_BUFFER = 34963, REPEAT = 10497,
+              CLAMP_TO_EDGE = 33071, LINEAR = 9729, LINEAR_MIPMAP_LINEAR = 9987;
 
 int add_accessor(GltfWriter& gltf, Json accessor) {
     gltf.json["accessors"].push_back(std::move(accessor));
@@ -101,8 +101,8 @@ void add_materials(GltfWriter& gltf, std::vector<FarMap> const& maps, DetailPict
 
 } // namespace
 
-GltfWriter terrain_gltf(std::vector<Tile> const& tiles, std::vector<FarMap> const& maps,
-                        DetailPictures const& pictures, std::vector<TerrainSite> const& sites, int threads) {
+GltfWriter terrain_gltf(std::vector<Tile> const& tiles, std::vector<FarMap> const& maps, DetailPictures const& pictures,
+                        std::vector<TerrainSite> const& sites, int threads) {
     GltfWriter gltf;
     Json children = Json::array(), places = Json::array();
     for (std::size_t k = 0; k < tiles.size(); ++k) children.push_back(k);
@@ -119,12 +119,11 @@ GltfWriter terrain_gltf(std::vector<Tile> const& tiles, std::vector<FarMap> cons
         std::string const name = fmt::format("tile_{}_{}_{}", tile.key.level, tile.key.x, tile.key.y);
         gltf.json["nodes"].push_back(
             {{"name", name}, {"mesh", k}, {"translation", {tile.origin.x, tile.origin.y, tile.origin.z}}});
-        gltf.json["meshes"].push_back(
-            {{"name", name},
-             {"primitives",
-              {{{"attributes", add_attributes(gltf, tile)},
-                {"indices", indices[tile.coarser]},
-                {"material", 1 + tile.map}}}}});
+        gltf.json["meshes"].push_back({{"name", name},
+                                       {"primitives",
+                                        {{{"attributes", add_attributes(gltf, tile)},
+                                          {"indices", indices[tile.coarser]},
+                                          {"material", 1 + tile.map}}}}});
     }
     add_materials(gltf, maps, pictures, threads);
     return gltf;

@@ -17,7 +17,8 @@ GBuffer make_images(FrameGraph& graph, Extent extent) {
 }
 
 GBuffer find_images(FrameGraph const& graph) {
-    return {graph.find("albedo"), graph.find("normal"), graph.find("material"), graph.find("emission"), graph.find("depth")};
+    return {graph.find("albedo"), graph.find("normal"), graph.find("material"), graph.find("emission"),
+            graph.find("depth")};
 }
 
 void draw_scene(DrawContext& context, FrameInputs const& in) {

@@ -20,16 +20,19 @@ VertexLayout vertex_layout() {
 }
 
 template <typename T>
-void fill(Device const& device, std::unique_ptr<GpuBuffer>& buffer, std::vector<T> const& values, VkBufferUsageFlags usage, char const* name) {
+void fill(Device const& device, std::unique_ptr<GpuBuffer>& buffer, std::vector<T> const& values,
+          VkBufferUsageFlags usage, char const* name) {
     auto const bytes = std::as_bytes(std::span(values));
-    if (!buffer || buffer->bytes() < bytes.size()) buffer = std::make_unique<GpuBuffer>(device, std::bit_ceil(bytes.size()), usage, BufferHome::host, name);
+    if (!buffer || buffer->bytes() < bytes.size())
+        buffer = std::make_unique<GpuBuffer>(device, std::bit_ceil(bytes.size()), usage, BufferHome::host, name);
     std::ranges::copy(bytes, buffer->mapped().begin());
 }
 
 } // namespace
 
 Overlay::Overlay(Device const& device, ByteImage const& texture, std::uint32_t frames_in_flight)
-    : device_(device), texture_(device, {VK_FORMAT_R8G8B8A8_UNORM, texture.extent}, VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT, "overlay_texture"),
+    : device_(device), texture_(device, {VK_FORMAT_R8G8B8A8_UNORM, texture.extent},
+                                VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT, "overlay_texture"),
       buffers_(frames_in_flight) {
     upload(device, texture_, std::as_bytes(std::span(texture.rgba)));
 }

@@ -7,7 +7,9 @@
 namespace alpenglow {
 
 void add_post_aa(FrameGraph& graph, ImageId encoded, ImageId picture) {
-    graph.add(ComputePass{"post_aa", shaders::post_aa_comp, {sampled(POST_AA_PICTURE_SLOT, encoded), stored(POST_AA_RESULT_SLOT, picture)},
+    graph.add(ComputePass{"post_aa",
+                          shaders::post_aa_comp,
+                          {sampled(POST_AA_PICTURE_SLOT, encoded), stored(POST_AA_RESULT_SLOT, picture)},
                           graph.shape(picture).extent});
 }
 

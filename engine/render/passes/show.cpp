@@ -17,13 +17,18 @@ void add_show(FrameGraph& graph, Settings const& settings, ImageId picture) {
         for (FrameGraph::Image const& image : graph.images()) {
             if (image.name != graph.images()[picture.index].name) names += ", " + image.name;
         }
-        throw Error(ErrorKind::wrong_use, "there is no image '" + settings.show + "' in the frame", "show", "choose one of: " + names);
+        throw Error(ErrorKind::wrong_use, "there is no image '" + settings.show + "' in the frame", "show",
+                    "choose one of: " + names);
     }
     FrameGraph::Image const& image = graph.images()[shown.index];
-    shader::ShowPush const push{static_cast<float>(std::exp2(settings.exposure)), curve_index(settings.curve), static_cast<int>(image.scale),
-                                static_cast<int>(image.shape.layers), static_cast<float>(NEAR_PLANE)};
-    graph.add(ComputePass{"show", shaders::show_comp, {sampled_array(SHOW_IMAGE_SLOT, shown, NEAREST_CLAMP), stored(SHOW_PICTURE_SLOT, picture)},
-                          graph.shape(picture).extent, bytes_of(push)});
+    shader::ShowPush const push{static_cast<float>(std::exp2(settings.exposure)), curve_index(settings.curve),
+                                static_cast<int>(image.scale), static_cast<int>(image.shape.layers),
+                                static_cast<float>(NEAR_PLANE)};
+    graph.add(ComputePass{"show",
+                          shaders::show_comp,
+                          {sampled_array(SHOW_IMAGE_SLOT, shown, NEAREST_CLAMP), stored(SHOW_PICTURE_SLOT, picture)},
+                          graph.shape(picture).extent,
+                          bytes_of(push)});
 }
 
 } // namespace alpenglow
