@@ -101,7 +101,7 @@ std::optional<ReflectionSample> sample_reflection(GroundPoint const& point, glm:
     glm::dvec3 light = sample_cosine(u2, u3);
     if (u1 < lobes.gloss_share) {
         glm::dvec3 const facet = sample_facet(lobes, u2, u3);
-        if (glm::dot(viewer, facet) <= 0) return {};
+        if (glm::dot(viewer, facet) <= 0) return {}; // its back: `density` knows fronts only
         light = glm::reflect(-viewer, facet);
     }
     glm::dvec3 const direction = glm::normalize(lobes.world_from_local * light);
