@@ -20,8 +20,8 @@ struct TrianglePlace {
     }
 };
 
-/// A texture's finest level at the place, filtered as for magnification; `srgb` pictures are made linear texel by texel. White
-/// where there is no texture.
+/// A texture's finest level at the place, filtered as for magnification; `srgb` pictures are made linear texel by
+/// texel. White where there is no texture.
 glm::dvec4 sample_texture(Scene const& scene, Texture const& texture, TrianglePlace const& place, bool srgb);
 
 /// An alpha mask takes the place away.
@@ -31,9 +31,9 @@ bool cut_out(Scene const& scene, Material const& material, TrianglePlace const& 
 shader_double::Surface surface_at(Scene const& scene, Material const& material, TrianglePlace const& place);
 glm::dvec3 emission_at(Scene const& scene, Material const& material, TrianglePlace const& place);
 
-/// The vertex normals' mean in world space, on `facing`'s side, with the normal map over it: by tangents, or where there are none
-/// by how the texture lies on the triangle. Unit. `facing`: the triangle's unit normal on the viewer's side, which also
-/// stands in where the vertices have no usable normal.
+/// The vertex normals' mean in world space, on `facing`'s side, with the normal map over it: by tangents, or where
+/// there are none by how the texture lies on the triangle. Unit. `facing`: the triangle's unit normal on the viewer's
+/// side, which also stands in where the vertices have no usable normal.
 glm::dvec3 shading_normal(Scene const& scene, Material const& material, TrianglePlace const& place,
                           glm::dmat3 const& world_from_mesh, glm::dvec3 const& facing);
 

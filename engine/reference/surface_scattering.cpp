@@ -45,7 +45,8 @@ Lobes lobes_of(GroundPoint const& point, glm::dvec3 const& to_viewer) {
     return {frame, viewer, point.surface.alpha, gloss_share(point, viewer.z)};
 }
 
-/// Of facet normals that the viewer sees (Heitz 2018, "Sampling the GGX Distribution of Visible Normals", Eq. 3) [1/sr].
+/// Of facet normals that the viewer sees (Heitz 2018, "Sampling the GGX Distribution of Visible Normals", Eq. 3)
+/// [1/sr].
 double Lobes::facet_density(glm::dvec3 const& facet) const {
     if (facet.z <= 0) return 0;
     double const a2 = alpha * alpha, across = facet.x * facet.x + facet.y * facet.y;

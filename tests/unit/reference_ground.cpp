@@ -21,7 +21,9 @@ Placement const PLACE{{0.8, 0.13, 1500}};
 /// Numbers and directions that are the same on every machine.
 class Random {
 public:
-    double operator()(double low, double high) { return low + (high - low) * static_cast<double>(bits_() >> 11) * 0x1p-53; }
+    double operator()(double low, double high) {
+        return low + (high - low) * static_cast<double>(bits_() >> 11) * 0x1p-53;
+    }
     glm::dvec3 direction() {
         double const z = (*this)(-1, 1), a = (*this)(0, 6.283185307179586), r = std::sqrt(1 - z * z);
         return {r * std::cos(a), r * std::sin(a), z};
@@ -213,17 +215,20 @@ TEST(ReferenceTerrain, a_closed_shell_lets_nothing_out) {
     Mesh mesh;
     for (int i = 0; i <= RINGS; ++i) {
         for (int j = 0; j < COLUMNS; ++j) {
-            double const a = 3.141592653589793 * i / RINGS, b = 6.283185307179586 * j / COLUMNS, r = 300 + 40 * std::sin(7 * a + 3 * b);
+            double const a = 3.141592653589793 * i / RINGS, b = 6.283185307179586 * j / COLUMNS,
+                         r = 300 + 40 * std::sin(7 * a + 3 * b);
             double const across = i % RINGS == 0 ? 0 : std::sin(a); // all of a pole's corners are one place
             Vertex vertex;
-            vertex.position = glm::vec3(r * across * std::cos(b), (i % RINGS == 0 ? 300 : r) * std::cos(a), r * across * std::sin(b));
+            vertex.position =
+                glm::vec3(r * across * std::cos(b), (i % RINGS == 0 ? 300 : r) * std::cos(a), r * across * std::sin(b));
             mesh.vertices.push_back(vertex);
         }
     }
     for (std::uint32_t i = 0; i < RINGS; ++i) {
         for (std::uint32_t j = 0; j < COLUMNS; ++j) {
             std::uint32_t const k = (j + 1) % COLUMNS, top = i * COLUMNS, low = top + COLUMNS;
-            for (std::uint32_t const corner : {top + j, low + j, top + k, top + k, low + j, low + k}) mesh.indices.push_back(corner);
+            for (std::uint32_t const corner : {top + j, low + j, top + k, top + k, low + j, low + k})
+                mesh.indices.push_back(corner);
         }
     }
     MeshPart part{0, static_cast<std::uint32_t>(mesh.indices.size()), 0, {}};
@@ -254,9 +259,11 @@ TEST(ReferenceTerrain, backs_of_single_sided_triangles_stop_light_and_not_camera
     scene.materials[0].double_sided = false;
     test::add_plane(scene, 100, 500);
     for (bool const mirrored : {false, true}) {
-        if (mirrored) scene.instances[0].scene_from_mesh = glm::scale(scene.instances[0].scene_from_mesh, glm::dvec3(-1, 1, 1));
+        if (mirrored)
+            scene.instances[0].scene_from_mesh = glm::scale(scene.instances[0].scene_from_mesh, glm::dvec3(-1, 1, 1));
         Ground const ground(planet, &scene, PLACE);
-        glm::dvec3 const above = frame.place({5, 600, 7}), below = frame.place({5, 400, 7}), up = frame.along({0, 1, 0});
+        glm::dvec3 const above = frame.place({5, 600, 7}), below = frame.place({5, 400, 7}),
+                         up = frame.along({0, 1, 0});
         auto const front = ground.first_hit(above, -up, NO_END, PIXEL);
         ASSERT_TRUE(front);
         EXPECT_NEAR(front->distance, 100, 1e-3);
@@ -299,7 +306,9 @@ TEST(ReferenceTerrain, triangles_without_area_give_no_broken_numbers) {
     Planet const planet = uniform_planet();
     Frame const frame(planet);
     Scene scene = test::scene_of({test::matte(glm::vec3(0.5f))});
-    test::add_triangles(scene, {0, 10, 0}, {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {-5, 0, 0}, {0, 0, 0}, {5, 0, 0}, {-5, 0, 0}, {0, 1e-9, 0}, {5, 0, 0}});
+    test::add_triangles(
+        scene, {0, 10, 0},
+        {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {-5, 0, 0}, {0, 0, 0}, {5, 0, 0}, {-5, 0, 0}, {0, 1e-9, 0}, {5, 0, 0}});
     test::add_triangles(scene, {0, 10, 0}, {{-1, 0, -1}, {1, 0, -1}, {0, 0, 1}});
     scene.meshes[1].vertices[0].normal = glm::vec3(0);
     scene.meshes[1].vertices[1].normal = -scene.meshes[1].vertices[2].normal;
@@ -311,7 +320,8 @@ TEST(ReferenceTerrain, triangles_without_area_give_no_broken_numbers) {
         glm::dvec3 const origin = frame.place(target + 5.0 * random.direction());
         auto const hit = ground.first_hit(origin, glm::normalize(frame.place(target) - origin));
         if (!hit) continue;
-        double const sum = glm::dot(hit->position, glm::dvec3(1)) + glm::dot(hit->facing + hit->shading, glm::dvec3(1)) + hit->distance;
+        double const sum = glm::dot(hit->position, glm::dvec3(1)) +
+                           glm::dot(hit->facing + hit->shading, glm::dvec3(1)) + hit->distance;
         ASSERT_TRUE(std::isfinite(sum));
         ASSERT_NEAR(glm::length(hit->facing), 1, 1e-9);
         ASSERT_NEAR(glm::length(hit->shading), 1, 1e-9);

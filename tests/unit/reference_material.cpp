@@ -128,7 +128,9 @@ TEST_F(Textured, a_normal_map_leans_along_u_and_against_v) {
     // The same picture laid mirrored: decreasing v still is up in it.
     material.normal_scale = 1;
     vertices[1].uv0 = {-1, 0};
-    EXPECT_LT(glm::distance(shading_normal(scene, material, place(), NOT_TURNED, UP), glm::normalize(glm::dvec3(-1 / 255.0, 1, -1))), 1e-9);
+    EXPECT_LT(glm::distance(shading_normal(scene, material, place(), NOT_TURNED, UP),
+                            glm::normalize(glm::dvec3(-1 / 255.0, 1, -1))),
+              1e-9);
 }
 
 TEST_F(Textured, given_tangents_lie_where_the_texture_would_put_them) {
@@ -136,7 +138,8 @@ TEST_F(Textured, given_tangents_lie_where_the_texture_would_put_them) {
     Material material;
     material.normal_texture = texture;
     set_picture(1, 1, {200, 90, 230, 255});
-    for (glm::dmat3 const& world_from_mesh : {NOT_TURNED, glm::dmat3(2.0), glm::dmat3{{0, 0, -1}, {0, 1, 0}, {1, 0, 0}}}) {
+    for (glm::dmat3 const& world_from_mesh :
+         {NOT_TURNED, glm::dmat3(2.0), glm::dmat3{{0, 0, -1}, {0, 1, 0}, {1, 0, 0}}}) {
         for (Vertex& vertex : vertices) vertex.tangent = glm::vec4(0);
         glm::dvec3 const derived = shading_normal(scene, material, place(), world_from_mesh, UP);
         for (Vertex& vertex : vertices) vertex.tangent = {1, 0, 0, 1};
@@ -154,7 +157,8 @@ TEST_F(Textured, normals_turn_to_the_side_they_are_seen_from_and_follow_scaling)
     for (Vertex& vertex : vertices) vertex.normal = glm::normalize(glm::vec3(1, 1, 0));
     glm::dmat3 high(1);
     high[1].y = 2; // a slope that is made steeper
-    EXPECT_LT(glm::distance(shading_normal(scene, material, place(), high, UP), glm::normalize(glm::dvec3(2, 1, 0))), 1e-7);
+    EXPECT_LT(glm::distance(shading_normal(scene, material, place(), high, UP), glm::normalize(glm::dvec3(2, 1, 0))),
+              1e-7);
     for (Vertex& vertex : vertices) vertex.normal = glm::vec3(0);
     EXPECT_EQ(shading_normal(scene, material, place(), NOT_TURNED, UP), UP);
 }

@@ -117,7 +117,8 @@ TEST(ReferenceScattering, a_lambertian_place_gives_its_albedo_with_every_sample)
 TEST(ReferenceScattering, exchanging_viewer_and_light_changes_the_cosine_only) {
     GroundPoint const point = flat(glm::dvec3(0.8), 0, 0.4);
     glm::dvec3 const a = tilted(point.shading, 0.4, 0.3), b = tilted(point.shading, 1.1, 2.0);
-    EXPECT_NEAR(reflect(point, a, b).r / glm::dot(point.shading, b), reflect(point, b, a).r / glm::dot(point.shading, a), 1e-6);
+    EXPECT_NEAR(reflect(point, a, b).r / glm::dot(point.shading, b),
+                reflect(point, b, a).r / glm::dot(point.shading, a), 1e-6);
 }
 
 TEST(ReferenceScattering, no_light_comes_through_the_surface) {
