@@ -60,7 +60,7 @@ Seen see(Filters const& filters, FloatImage const& image) {
     return seen;
 }
 
-/// The colour's error, raised where an edge or a point is in one picture only (section 4.3 of the paper of 2020).
+/// The colour's error, raised where an edge or a point is in one picture only.
 float error_of(Seen const& a, Seen const& b, std::size_t i) {
     float const edge = std::abs(a.features.edges.values[i] - b.features.edges.values[i]);
     float const point = std::abs(a.features.points.values[i] - b.features.points.values[i]);

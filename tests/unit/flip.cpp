@@ -78,9 +78,12 @@ INSTANTIATE_TEST_SUITE_P(Ldr, FlipPairs,
                                          Pair{"3_blur", 0.032525, 0.008512, 0.291055, 1.000532e-03}),
                          [](auto const& pair) { return std::string(pair.param.name); });
 INSTANTIATE_TEST_SUITE_P(Hdr, FlipPairs,
-                         testing::Values(Pair{"4_tint", 0.070772, 0.071672, 0.101443, 1.869190e-05, {-0.86727, 7.92558, 9}},
-                                         Pair{"5_shafts", 0.177350, 0.109962, 0.835391, 7.063090e-06, {-0.86727, 7.24524, 9}},
-                                         Pair{"6_fireflies", 0.021030, 0, 0.951079, 6.510417e-03, {-0.86727, 7.92558, 9}}),
+                         testing::Values(Pair{"4_tint", 0.070772, 0.071672, 0.101443, 1.869190e-05,
+                                              {-0.86727, 7.92558, 9}},
+                                         Pair{"5_shafts", 0.177350, 0.109962, 0.835391, 7.063090e-06,
+                                              {-0.86727, 7.24524, 9}},
+                                         Pair{"6_fireflies", 0.021030, 0, 0.951079, 6.510417e-03,
+                                              {-0.86727, 7.92558, 9}}),
                          [](auto const& pair) { return std::string(pair.param.name); });
 
 namespace {
