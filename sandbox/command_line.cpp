@@ -61,6 +61,13 @@ void add_views(CLI::App& app, std::vector<std::filesystem::path>& views) {
         ->type_name("FILE");
 }
 
+void add_picture(CLI::App& app, std::string const& name, std::filesystem::path& picture, std::string const& help) {
+    app.add_option_function<std::string>(
+           name, [&](std::string const& given) { picture = given; }, help)
+        ->required()
+        ->type_name("FILE");
+}
+
 void add_placement(CLI::App& app, PlacementOptions& placement) {
     add_value(
         app, "--at", "LAT,LON[,ALT]", [&](std::string const& t) { placement.at = parse_place("--at", t); },
@@ -113,6 +120,7 @@ public:
         add_render();
         add_terrain();
         add_bench();
+        add_compare();
         app_.add_subcommand("devices", "Lists the Vulkan devices: which is chosen, which refused, and why")
             ->callback([this] { command_ = DevicesOptions{}; });
     }
@@ -216,11 +224,27 @@ private:
         app.callback([this] { command_ = bench_; });
     }
 
+    void add_compare() {
+        CLI::App& app = *app_.add_subcommand("compare", "Measures how far a picture is from its reference");
+        add_picture(app, "TEST", compare_.test, "the picture, PNG or EXR by its content");
+        add_picture(app, "REFERENCE", compare_.reference, "what it should be, of the same kind and size");
+        add_value(
+            app, "--exposure", "STOPS",
+            [this](std::string const& t) { compare_.exposure = parse_number("--exposure", t, -32, 32); },
+            "of EXR pictures as LDR FLIP sees them; 0 unless given");
+        add_value(
+            app, "--heatmap", "OUT.png", [this](std::string const& t) { compare_.heatmap = t; },
+            "a picture of FLIP's error of each pixel");
+        app.add_flag("--json", compare_.json, "prints JSON");
+        app.callback([this] { command_ = compare_; });
+    }
+
     CLI::App app_;
     FlyOptions fly_;
     RenderOptions render_;
     TerrainCommandOptions terrain_;
     BenchOptions bench_;
+    CompareOptions compare_;
     Command command_;
 };
 

@@ -67,6 +67,13 @@ struct BenchOptions : DrawOptions {
     bool json = false;
 };
 
+struct CompareOptions {
+    std::filesystem::path test, reference;
+    std::optional<double> exposure; ///< [stops] of the pictures that LDR FLIP compares; 0 unless given
+    std::optional<std::filesystem::path> heatmap;
+    bool json = false;
+};
+
 struct TerrainCommandOptions {
     TerrainOptions terrain;
     std::filesystem::path out = "out/terrain/terrain.gltf";
@@ -78,6 +85,7 @@ struct DevicesOptions {};
 int fly(FlyOptions const& options);
 int render(RenderOptions const& options);
 int bench(BenchOptions const& options);
+int compare(CompareOptions const& options);
 int terrain(TerrainCommandOptions const& options);
 int devices(DevicesOptions const& options);
 

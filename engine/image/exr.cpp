@@ -27,6 +27,7 @@ constexpr int LARGEST_SIDE = 32768;
 constexpr std::size_t MOST_PIXELS = std::size_t{1} << 26;
 constexpr std::size_t PIXEL_BYTES = 4 * sizeof(float);
 constexpr std::array<char const*, 4> CHANNELS{"R", "G", "B", "A"};
+constexpr char const* WHOLE_FILE = "give a whole EXR file";
 std::string const VARIANCE = "variance."; ///< before the channels' letters
 
 using TextAttributes = std::map<std::string, std::string>;
@@ -58,7 +59,7 @@ public:
     bool read(char* data, int size) override {
         auto const wanted = static_cast<std::size_t>(size);
         if (position_ > bytes_.size() || wanted > bytes_.size() - position_) {
-            throw Error(ErrorKind::bad_input, "EXR file is cut short");
+            throw Error(ErrorKind::bad_input, "EXR file is cut short", {}, WHOLE_FILE);
         }
         std::memcpy(data, bytes_.data() + position_, wanted);
         position_ += wanted;
@@ -127,8 +128,10 @@ Extent checked_extent(Imath::Box2i const& window) {
                height = std::int64_t{window.max.y} - window.min.y + 1;
     if (width < 1 || height < 1 || width > LARGEST_SIDE || height > LARGEST_SIDE ||
         static_cast<std::size_t>(width * height) > MOST_PIXELS) {
-        throw Error(ErrorKind::bad_input, "EXR picture of " + std::to_string(width) + "x" + std::to_string(height) +
-                                              " pixels is beyond the limit of 2^26 pixels");
+        throw Error(ErrorKind::bad_input,
+                    "EXR picture of " + std::to_string(width) + "x" + std::to_string(height) +
+                        " pixels is beyond the limit of 2^26 pixels",
+                    {}, "use a smaller one");
     }
     return {static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
 }
@@ -194,7 +197,8 @@ void check_attribute_sizes(std::span<std::byte const> bytes) {
         if (at + sizeof size > bytes.size()) return;
         std::memcpy(&size, &bytes[at], sizeof size); // little endian, as this machine is
         at += sizeof size;
-        if (size > bytes.size() - at) throw Error(ErrorKind::bad_input, "EXR file is cut short within its header");
+        if (size > bytes.size() - at)
+            throw Error(ErrorKind::bad_input, "EXR file is cut short within its header", {}, WHOLE_FILE);
         at += size;
     }
 }
@@ -218,9 +222,9 @@ template <typename Read> auto decode(std::span<std::byte const> bytes, Read read
     } catch (Error const&) {
         throw;
     } catch (std::bad_alloc const&) {
-        throw Error(ErrorKind::bad_input, "EXR picture does not fit into memory");
+        throw Error(ErrorKind::bad_input, "EXR picture does not fit into memory", {}, "use a smaller one");
     } catch (std::exception const& error) {
-        throw Error(ErrorKind::bad_input, "EXR picture can't be decoded: " + first_line(error));
+        throw Error(ErrorKind::bad_input, "EXR picture can't be decoded: " + first_line(error), {}, WHOLE_FILE);
     }
 }
 
