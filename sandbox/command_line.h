@@ -14,7 +14,7 @@ struct TextToPrint {
 };
 
 using Command = std::variant<TextToPrint, FlyOptions, RenderOptions, TerrainCommandOptions, BenchOptions,
-                             CompareOptions, DevicesOptions>;
+                             CompareOptions, EvaluateOptions, DevicesOptions>;
 
 /// `arguments` without the program's name. Throws Error(wrong_use), one line with what is wrong and what to do. Whether
 /// the settings of `--set` exist is for apply_overrides to say.

@@ -24,6 +24,7 @@ int run(Command const& command) {
                    [](FlyOptions const& o) { return fly(o); }, [](RenderOptions const& o) { return render(o); },
                    [](TerrainCommandOptions const& o) { return terrain(o); },
                    [](BenchOptions const& o) { return bench(o); }, [](CompareOptions const& o) { return compare(o); },
+                   [](EvaluateOptions const& o) { return evaluate(o); },
                    [](DevicesOptions const& o) { return devices(o); }},
         command);
 }
