@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "sandbox/arguments.h"
+#include "sandbox/models.h"
 
 #include <CLI/CLI.hpp>
 
@@ -89,26 +90,54 @@ void add_placement(CLI::App& app, PlacementOptions& placement) {
     app.add_flag("--curve", placement.curve, "bends a terrain made for a flat map to the planet");
 }
 
+void add_overrides(CLI::App& app, std::vector<Override>& overrides) {
+    add_value(
+        app, "--set", "NAME=VALUE", [&](std::string const& t) { overrides.push_back(parse_override("--set", t)); },
+        "a setting, in place of the file's; may be repeated")
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+void add_device_options(CLI::App& app, DrawOptions& options) {
+    add_value(
+        app, "--device", "N",
+        [&](std::string const& t) { options.device = static_cast<int>(parse_integer("--device", t, 0, 63)); },
+        "device by its number in `alpenglow devices`");
+    app.add_flag("--validate", options.validate, "check every Vulkan call; slow");
+}
+
 void add_draw_options(CLI::App& app, DrawOptions& options) {
     add_value(
         app, "--planet", "P", [&](std::string const& t) { options.planet = t; }, "name in assets/planets, or a file");
     add_placement(app, options.placement);
-    add_value(
-        app, "--set", "NAME=VALUE",
-        [&](std::string const& t) { options.overrides.push_back(parse_override("--set", t)); },
-        "a setting, in place of the file's; may be repeated")
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    add_overrides(app, options.overrides);
     add_value(
         app, "--show", "NAME",
         [&](std::string const& t) {
             options.overrides.push_back({"show", t});
         },
         "an image of the frame in place of the result");
+    add_device_options(app, options);
+}
+
+/// An option with one or more values.
+void add_list(CLI::App& app, std::string const& name, std::string const& value,
+              std::function<void(std::vector<std::string> const&)> take, std::string const& help) {
+    app.add_option_function<std::vector<std::string>>(name, std::move(take), help)->expected(1, -1)->type_name(value);
+}
+
+void add_optional_path(CLI::App& app, std::string const& name, std::string const& value,
+                       std::optional<std::filesystem::path>& path, std::string const& help) {
     add_value(
-        app, "--device", "N",
-        [&](std::string const& t) { options.device = static_cast<int>(parse_integer("--device", t, 0, 63)); },
-        "device by its number in `alpenglow devices`");
-    app.add_flag("--validate", options.validate, "check every Vulkan call; slow");
+        app, name, value, [&](std::string const& t) { path = t; }, help);
+}
+
+void require_model(std::string const& name) {
+    std::string names;
+    for (Model const& model : MODELS) {
+        if (model.name == name) return;
+        names += (names.empty() ? "" : ", ") + std::string(model.name);
+    }
+    throw Error(ErrorKind::wrong_use, "--model: there is no model '" + name + "'", {}, "the models are: " + names);
 }
 
 void add_scene_option(CLI::App& app, std::string const& name, std::optional<std::string>& scene) {
@@ -129,6 +158,7 @@ public:
         add_terrain();
         add_bench();
         add_compare();
+        add_evaluate();
         app_.add_subcommand("devices", "Lists the Vulkan devices: which is chosen, which refused, and why")
             ->callback([this] { command_ = DevicesOptions{}; });
     }
@@ -278,6 +308,30 @@ private:
         app.callback([this] { command_ = compare_; });
     }
 
+    void add_evaluate() {
+        CLI::App& app = *app_.add_subcommand("evaluate", "Compares rendered views with the path tracer's pictures");
+        EvaluateOptions& e = evaluate_;
+        add_list(
+            app, "--views", "VIEW.json",
+            [&e](std::vector<std::string> const& given) { e.views.assign(given.begin(), given.end()); },
+            "view files; all of assets/views/comparison unless given");
+        add_list(
+            app, "--model", "NAME",
+            [&e](std::vector<std::string> const& given) {
+                for (std::string const& name : given) require_model(name);
+                e.models = given;
+            },
+            "how the air is lit; all models unless given");
+        add_optional_path(app, "--references", "DIR", e.references, "folder; assets/references unless given");
+        app.add_flag("--json", e.json, "prints JSON");
+        add_optional_path(app, "--heatmaps", "DIR", e.heatmaps, "writes FLIP's heat maps there");
+        add_optional_path(app, "--document", "FILE.md", e.document, "writes the table and its worst views as Markdown");
+        add_optional_path(app, "--check", "FILE.md", e.check, "fails where FLIP or RMSE are not what that table says");
+        add_overrides(app, e.overrides);
+        add_device_options(app, e);
+        app.callback([this] { command_ = evaluate_; });
+    }
+
     CLI::App app_;
     FlyOptions fly_;
     RenderOptions render_;
@@ -285,6 +339,7 @@ private:
     TerrainCommandOptions terrain_;
     BenchOptions bench_;
     CompareOptions compare_;
+    EvaluateOptions evaluate_;
     Command command_;
 };
 

@@ -13,7 +13,7 @@ struct TextToPrint {
     std::string text;
 };
 
-using Command = std::variant<TextToPrint, FlyOptions, RenderOptions, ReferenceOptions, CompareOptions,
+using Command = std::variant<TextToPrint, FlyOptions, RenderOptions, ReferenceOptions, CompareOptions, EvaluateOptions,
                              TerrainCommandOptions, BenchOptions, DevicesOptions>;
 
 /// `arguments` without the program's name. Throws Error(wrong_use), one line with what is wrong and what to do. Whether

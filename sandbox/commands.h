@@ -74,6 +74,16 @@ struct CompareOptions {
     bool json = false;
 };
 
+struct EvaluateOptions : DrawOptions {
+    std::vector<std::filesystem::path> views;         ///< empty: all of assets/views/comparison
+    std::vector<std::string> models;                  ///< names of MODELS; empty: all
+    std::optional<std::filesystem::path> references;  ///< folder; assets/references unless given
+    bool json = false;
+    std::optional<std::filesystem::path> heatmaps; ///< folder
+    std::optional<std::filesystem::path> document; ///< Markdown file to write
+    std::optional<std::filesystem::path> check;    ///< such a file, whose figures must still hold
+};
+
 struct TerrainCommandOptions {
     TerrainOptions terrain;
     std::filesystem::path out = "out/terrain/terrain.gltf";
@@ -99,6 +109,7 @@ int fly(FlyOptions const& options);
 int render(RenderOptions const& options);
 int bench(BenchOptions const& options);
 int compare(CompareOptions const& options);
+int evaluate(EvaluateOptions const& options);
 int terrain(TerrainCommandOptions const& options);
 int reference(ReferenceOptions const& options);
 int devices(DevicesOptions const& options);

@@ -25,6 +25,7 @@ int run(Command const& command) {
                    [](ReferenceOptions const& o) { return reference(o); },
                    [](TerrainCommandOptions const& o) { return terrain(o); },
                    [](BenchOptions const& o) { return bench(o); }, [](CompareOptions const& o) { return compare(o); },
+                   [](EvaluateOptions const& o) { return evaluate(o); },
                    [](DevicesOptions const& o) { return devices(o); }},
         command);
 }
