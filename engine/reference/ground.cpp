@@ -60,9 +60,8 @@ GroundPoint Ground::planet_point(glm::dvec3 const& origin, glm::dvec3 const& dir
     point.distance = distance;
     point.position = unit * (planet_.radius * (1 + PLANET_OFFSET));
     point.facing = point.shading = unit;
-    if (!(pixel_angle > 0)) {
-        point.surface = shader_double::Surface(planet_.ground_albedo, glm::dvec3(0), 1.0);
-        point.lambertian = true;
+    if (!(pixel_angle > 0) || planet_.look == GroundLook::uniform) {
+        point.surface = shader_double::make_surface(planet_.ground_albedo, 0.0, 1.0, 0.0);
         return point;
     }
     double const facing = std::max(glm::dot(unit, -direction), LEAST_FACING);
