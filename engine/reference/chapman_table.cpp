@@ -1,0 +1,82 @@
+#include "reference/chapman_table.h"
+
+#include "reference/quadrature.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace alpenglow {
+
+namespace {
+
+constexpr int RADII = 12;     ///< of them 10 inside [lowest, highest]: cubic interpolation reaches one to each side
+constexpr int COSINES = 96;   ///< in x = width / (mu + width), even from 0 to 1; two more to each side are not needed
+constexpr int POINTS = 6;     ///< of the interpolation in x
+
+/// Cosine with the horizon below which the planet's curvature counts: sqrt(2 H / (pi r)). The path is nearly
+/// H / (mu + width).
+double width_of(double radius, double scale_height) { return std::sqrt(2 * scale_height / (M_PI * radius)); }
+
+/// By Gauss-Legendre panels in v, s = s_max v^2: dense where the ray starts.
+double integrate_path(double r, double mu, double scale_height) {
+    constexpr int panels = 40;
+    double const gain = 42 * scale_height; // e^-42 is 6e-19
+    double const longest = std::sqrt(r * r * mu * mu + 2 * r * gain + gain * gain) - r * mu;
+    auto const integrand = [&](double v) {
+        double const s = longest * v * v;
+        // r(s) - r without cancellation.
+        double const climbed = s * (2 * r * mu + s) / (std::sqrt(r * r + s * (2 * r * mu + s)) + r);
+        return std::exp(-climbed / scale_height) * 2 * longest * v;
+    };
+    double sum = 0;
+    for (int i = 0; i < panels; ++i) sum += gauss_legendre(integrand, double(i) / panels, double(i + 1) / panels);
+    return sum;
+}
+
+/// Weights of the polynomial through `N` even nodes at 0, 1, …, N - 1.
+template <int N> std::array<double, N> lagrange_weights(double x) {
+    std::array<double, N> weights;
+    for (int i = 0; i < N; ++i) {
+        double weight = 1;
+        for (int k = 0; k < N; ++k) {
+            if (k != i) weight *= (x - k) / (i - k);
+        }
+        weights[static_cast<std::size_t>(i)] = weight;
+    }
+    return weights;
+}
+
+} // namespace
+
+ChapmanTable::ChapmanTable(double lowest, double highest, double scale_height)
+    : lowest_(lowest), scale_height_(scale_height), radius_step_((highest - lowest) / (RADII - 1)),
+      nodes_(RADII * COSINES) {
+    for (int i = 0; i < RADII; ++i) {
+        double const r = lowest + i * radius_step_, width = width_of(r, scale_height);
+        nodes_[i * COSINES] = 1; // straight up through ever thinner shells: path = H / mu
+        for (int k = 1; k < COSINES; ++k) {
+            double const x = double(k) / (COSINES - 1), mu = width / x - width;
+            nodes_[i * COSINES + k] = integrate_path(r, mu, scale_height) / scale_height * (mu + width);
+        }
+    }
+}
+
+double ChapmanTable::path(double radius, double mu) const {
+    double const width = width_of(radius, scale_height_);
+    double const row = (radius - lowest_) / radius_step_, column = width / (mu + width) * (COSINES - 1);
+    int const first_row = std::clamp(static_cast<int>(row) - 1, 0, RADII - 4);
+    int const first_column = std::clamp(static_cast<int>(column) - POINTS / 2 + 1, 0, COSINES - POINTS);
+    auto const rows = lagrange_weights<4>(row - first_row);
+    auto const columns = lagrange_weights<POINTS>(column - first_column);
+    double sum = 0;
+    for (int i = 0; i < 4; ++i) {
+        double const* const node = &nodes_[(first_row + i) * COSINES + first_column];
+        double along = 0;
+        for (int k = 0; k < POINTS; ++k) along += columns[k] * node[k];
+        sum += rows[i] * along;
+    }
+    return sum * scale_height_ / (mu + width);
+}
+
+} // namespace alpenglow
