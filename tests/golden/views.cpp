@@ -51,7 +51,9 @@ std::set<Wrong> must_notice(std::string const& view, bool on_software) {
 
 std::vector<std::string> view_names() {
     std::vector<std::string> names;
-    for (fs::directory_entry const& entry : fs::directory_iterator(fs::path(ALPENGLOW_SOURCE) / "assets/views")) names.push_back(entry.path().stem().string());
+    for (fs::directory_entry const& entry : fs::directory_iterator(fs::path(ALPENGLOW_SOURCE) / "assets/views")) {
+        if (entry.is_regular_file()) names.push_back(entry.path().stem().string());
+    }
     std::ranges::sort(names);
     return names;
 }

@@ -8,6 +8,7 @@
 #include <OpenEXR/ImfRgbaFile.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -126,4 +127,70 @@ TEST(Exr, a_picture_bomb_is_refused_by_its_header) {
     std::size_t const x_max = static_cast<std::size_t>(found - text) + key.size() + 8;
     for (std::size_t side : {x_max, x_max + 4}) bytes[side + 1] = std::byte{0x7f}; // 32519 along both sides
     EXPECT_NE(message_of(bytes), "");
+}
+
+TEST(ExrRecord, everything_comes_back) {
+    RadianceRecord const record{steps({53, 37}, 1), steps({53, 37}, 1),
+                                {{"command", "alpenglow reference a.json"}, {"seed", "7"}, {"note", ""}}};
+    RadianceRecord const back = decode_record(encode_exr(record));
+    EXPECT_EQ(back.radiance.rgba, record.radiance.rgba);
+    ASSERT_TRUE(back.variance);
+    EXPECT_EQ(back.variance->rgba, record.variance->rgba);
+    EXPECT_EQ(back.attributes, record.attributes);
+}
+
+TEST(ExrRecord, radiance_and_variance_are_not_mixed_up) {
+    RadianceRecord record{steps({8, 8}, 1), FloatImage({8, 8}), {}};
+    record.variance->at(3, 2)[1] = 0.25f;
+    std::filesystem::path const path = scratch("record.exr");
+    write_exr(path, record);
+    EXPECT_EQ(read_record(path).variance->at(3, 2)[1], 0.25f);
+    EXPECT_EQ(read_exr(path).rgba, record.radiance.rgba) << "a reader of pictures sees the radiance alone";
+    std::filesystem::remove(path);
+}
+
+TEST(ExrRecord, alpha_is_not_kept_and_variance_may_be_missing) {
+    RadianceRecord const back = decode_record(encode_exr(RadianceRecord{steps({8, 8}, 0), {}, {}}));
+    EXPECT_EQ(back.radiance.rgba, steps({8, 8}, 1).rgba);
+    EXPECT_FALSE(back.variance);
+    EXPECT_TRUE(back.attributes.empty());
+    EXPECT_FALSE(decode_record(encode_exr(steps({8, 8}, 1))).variance);
+}
+
+TEST(ExrRecord, what_can_not_be_encoded_is_refused) {
+    EXPECT_THROW(encode_exr(RadianceRecord{FloatImage(), {}, {}}), Error);
+    EXPECT_THROW(encode_exr(RadianceRecord{FloatImage({8, 8}), FloatImage({8, 9}), {}}), Error);
+    for (std::string const& name : {std::string(), std::string(256, 'a'), std::string(3, '\0'), std::string("dataWindow")}) {
+        EXPECT_THROW(encode_exr(RadianceRecord{FloatImage({8, 8}), {}, {{name, "text"}}}), Error) << name;
+    }
+}
+
+TEST(ExrRecord, a_text_that_claims_more_than_the_file_has_is_refused) {
+    auto const whole = encode_exr(RadianceRecord{steps({8, 8}, 1), {}, {{"seed", "12345678"}}});
+    std::string const key = std::string("seed\0string\0", 12);
+    auto const* const text = reinterpret_cast<char const*>(whole.data());
+    auto const* const found = std::search(text, text + whole.size(), key.begin(), key.end());
+    ASSERT_NE(found, text + whole.size());
+    std::size_t const size = static_cast<std::size_t>(found - text) + key.size(); // 32 bits, little endian
+    for (auto const& claim : {std::array{0xff, 0xff, 0xff, 0xff}, {0xff, 0xff, 0xff, 0x7f}, {0, 0, 1, 0}}) {
+        auto bytes = whole;
+        for (std::size_t i = 0; i < 4; ++i) bytes[size + i] = static_cast<std::byte>(claim[i]);
+        EXPECT_NE(message_of(bytes).find("cut short"), std::string::npos) << message_of(bytes);
+    }
+}
+
+TEST(ExrRecord, a_lost_channel_of_the_variance_is_named) {
+    auto bytes = encode_exr(RadianceRecord{steps({8, 8}, 1), steps({8, 8}, 1), {}});
+    std::string const name = "variance.G";
+    auto* const text = reinterpret_cast<char*>(bytes.data());
+    auto* const found = std::search(text, text + bytes.size(), name.begin(), name.end());
+    ASSERT_NE(found, text + bytes.size());
+    found[name.size() - 1] = 'H';
+    try {
+        decode_record(bytes);
+        ADD_FAILURE() << "a record without variance.G was read";
+    } catch (Error const& error) {
+        EXPECT_NE(std::string(error.what()).find("no channel variance.G"), std::string::npos) << error.what();
+    }
+    EXPECT_EQ(decode_exr(bytes).rgba, steps({8, 8}, 1).rgba);
 }

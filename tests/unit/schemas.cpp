@@ -22,7 +22,9 @@ std::vector<SchemaFile> schema_files() {
 
 std::vector<fs::path> json_files(fs::path const& folder) {
     std::vector<fs::path> files;
-    for (fs::directory_entry const& entry : fs::directory_iterator(folder)) files.push_back(entry.path());
+    for (fs::directory_entry const& entry : fs::recursive_directory_iterator(folder)) {
+        if (entry.is_regular_file()) files.push_back(entry.path());
+    }
     return files;
 }
 
