@@ -2,8 +2,7 @@
 
 #include "core/error.h"
 #include "core/log.h"
-#include "scene/gltf.h"
-#include "terrain/terrain.h"
+#include "sandbox/scene_loading.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -68,16 +67,9 @@ void Stage::require_scene(View const& view) {
     std::string const key = scene_key(view, placement);
     if (key == scene_key_) return;
     ground_.reset();
-    if (view.scene.empty()) {
-        renderer_.set_scene(nullptr, {}, planet_.radius);
-    } else {
-        std::filesystem::path const file =
-            view.scene == "default" ? default_terrain(planet_.radius) : std::filesystem::path(view.scene);
-        Scene scene = load_gltf(file, {view.settings.largest_texture});
-        if (placement.curve) curve_to_planet(scene, planet_.radius, placement.scale);
-        renderer_.set_scene(&scene, placement, planet_.radius);
-        if (follows_ground_) ground_.emplace(scene, placement, planet_.radius);
-    }
+    std::optional<Scene> const scene = load_scene(view, planet_.radius);
+    renderer_.set_scene(scene ? &*scene : nullptr, placement, planet_.radius);
+    if (scene && follows_ground_) ground_.emplace(*scene, placement, planet_.radius);
     scene_key_ = key;
 }
 

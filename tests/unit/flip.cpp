@@ -1,4 +1,5 @@
 #include "image/codec.h"
+#include "image/exr.h"
 #include "image/flip.h"
 
 #include "core/error.h"
@@ -29,29 +30,50 @@ ByteImage uniform(Extent extent, std::uint8_t red, std::uint8_t green, std::uint
 struct Pair {
     char const* name;
     double mean, median, largest; ///< of the authors' own implementation, default parameters
+    ExposureRange exposures{};    ///< of an HDR pair
 };
 
-class FlipPairs : public testing::TestWithParam<Pair> {};
+class FlipPairs : public testing::TestWithParam<Pair> {
+protected:
+    bool is_hdr() const { return GetParam().exposures.count > 1; }
+
+    std::filesystem::path file(std::string const& which) const {
+        return shared_folder() / "flip" / (GetParam().name + ("_" + which) + (is_hdr() ? ".exr" : ".png"));
+    }
+
+    HdrFlipResult compute() const {
+        if (is_hdr()) return compute_hdr_flip(read_exr(file("reference")), read_exr(file("test")));
+        return {compute_flip(read_picture(file("reference")), read_picture(file("test"))), {}};
+    }
+};
 
 } // namespace
 
 TEST_P(FlipPairs, meet_the_authors_implementation) {
-    std::filesystem::path const folder = shared_folder() / "flip";
-    std::string const name = GetParam().name;
-    if (!std::filesystem::exists(folder / (name + "_test.png"))) {
-        if (std::getenv("CI")) FAIL() << "the pictures are not in " << folder;
-        GTEST_SKIP() << "the pictures are not in " << folder;
+    if (!std::filesystem::exists(file("test"))) {
+        if (std::getenv("CI")) FAIL() << "there is no " << file("test");
+        GTEST_SKIP() << "there is no " << file("test");
     }
-    FlipResult const flip = compute_flip(read_picture(folder / (name + "_reference.png")), read_picture(folder / (name + "_test.png")));
+    HdrFlipResult const flip = compute();
     // The authors compute in float and with rounded constants.
     EXPECT_NEAR(flip.mean, GetParam().mean, 5e-4);
     EXPECT_NEAR(flip.median, GetParam().median, 5e-4);
     EXPECT_NEAR(flip.largest, GetParam().largest, 5e-3);
+    // Printed there with five decimals.
+    EXPECT_NEAR(flip.exposures.start, GetParam().exposures.start, 2e-5);
+    EXPECT_NEAR(flip.exposures.stop, GetParam().exposures.stop, 2e-5);
+    EXPECT_EQ(flip.exposures.count, GetParam().exposures.count);
 }
 
 INSTANTIATE_TEST_SUITE_P(Ldr, FlipPairs,
-                         testing::Values(Pair{"1_gradient", 0.064727, 0.063955, 0.105828}, Pair{"2_shift", 0.043051, 0.022042, 0.624709},
+                         testing::Values(Pair{"1_gradient", 0.064727, 0.063955, 0.105828},
+                                         Pair{"2_shift", 0.043051, 0.022042, 0.624709},
                                          Pair{"3_blur", 0.032525, 0.008512, 0.291055}),
+                         [](auto const& pair) { return std::string(pair.param.name); });
+INSTANTIATE_TEST_SUITE_P(Hdr, FlipPairs,
+                         testing::Values(Pair{"4_tint", 0.070772, 0.071672, 0.101443, {-0.86727, 7.92558, 9}},
+                                         Pair{"5_shafts", 0.177350, 0.109962, 0.835391, {-0.86727, 7.24524, 9}},
+                                         Pair{"6_fireflies", 0.021030, 0, 0.951079, {-0.86727, 7.92558, 9}}),
                          [](auto const& pair) { return std::string(pair.param.name); });
 
 TEST(Flip, is_nothing_for_equal_pictures_and_one_for_the_farthest_colours) {

@@ -1,0 +1,22 @@
+#include "sandbox/traced_view.h"
+
+#include "sandbox/scene_loading.h"
+
+namespace alpenglow {
+
+namespace {
+
+LightSource light_of(World const& world, SunShape shape) {
+    return {.to_sun = world.to_sun,
+            .angular_radius = shape == SunShape::disc ? world.planet.sun_angular_radius : 0,
+            .irradiance = world.planet.solar_irradiance};
+}
+
+} // namespace
+
+TracedView::TracedView(View const& view, SunShape sun, int orders)
+    : world_(make_world(view, load_planet(view.planet))), scene_(load_scene(view, world_.planet.radius)),
+      ground_(world_.planet, scene_ ? &*scene_ : nullptr, scene_placement(view)),
+      tracer_(make_medium(world_.planet), ground_, light_of(world_, sun), {.orders = orders}) {}
+
+} // namespace alpenglow
