@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <numeric>
 
 namespace alpenglow {
 
@@ -9,77 +11,145 @@ namespace {
 
 constexpr int LEG_CELLS = 20;          ///< on the way down to the closest approach, and on the way up
 constexpr double CELL_HEIGHT = 20'000; ///< [m] scale height of their spacing; tuned for low noise
+constexpr double EVEN = 3;             ///< ratio of the light in a cell that is left as it is; tuned for low noise
+constexpr double LEAST_LIGHT = 1e-3;   ///< of all, in a cell that is worth halving
+constexpr int ROUNDS = 5;              ///< of halving
+constexpr double ANYWHERE = 0.01;      ///< share of the choices that go to all cells alike: none is impossible
 
 double mean(glm::dvec3 const& color) { return (color.x + color.y + color.z) / 3; }
 
-/// In place: to the sum 1. False where there is nothing.
-bool normalize_sum(std::vector<double>& weights) {
-    double sum = 0;
-    for (double const w : weights) sum += w;
-    if (!(sum > 0)) return false;
-    for (double& w : weights) w /= sum;
-    return true;
+double sum_of(std::vector<double> const& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
+
+/// Distances of the edges from the lower end of a stretch to its upper end, at altitude quantiles that are dense at the
+/// lower one.
+std::vector<double> leg_edges(Ray const& ray, double from, double to, double radius) {
+    double const lowest = ray.radius_at(from) - radius, highest = ray.radius_at(to) - radius;
+    double const widest = std::sqrt(-std::expm1(-(highest - lowest) / CELL_HEIGHT));
+    double const sign = to > from ? 1 : -1;
+    std::vector<double> edges{from};
+    for (int i = 1; i < LEG_CELLS; ++i) {
+        double const x = widest * i / LEG_CELLS;
+        double const r = radius + lowest - CELL_HEIGHT * std::log1p(-x * x);
+        edges.push_back(-ray.along + sign * std::sqrt(std::max(0.0, r * r - ray.closest_squared)));
+    }
+    edges.push_back(to);
+    return edges;
 }
 
 } // namespace
 
+/// By Simpson's rule.
+FirstFlight::Light FirstFlight::Cell::light() const {
+    double const weight = std::max(0.0, to - from) / 6;
+    return {weight * (start.once + 4 * middle.once + end.once), weight * (start.all + 4 * middle.all + end.all)};
+}
+
+bool FirstFlight::Cell::uneven() const {
+    auto const [least, most] = std::minmax({start.once, middle.once, end.once});
+    return most > EVEN * least;
+}
+
 FirstFlight::FirstFlight(Medium const& medium, OpticalDepth const& depth, Sunlight const& sun, Ray const& ray,
                          double from, double to)
     : ray_(ray), depth_(depth, ray), start_(depth_.at(from)) {
-    double const closest = std::clamp(-ray.along, from, to);
-    add_cells(closest, from, medium.radius);
-    std::ranges::reverse(edges_);
-    if (!edges_.empty()) edges_.pop_back();
-    add_cells(closest, to, medium.radius);
+    Surroundings const around{medium, sun};
+    std::vector<double> edges = first_edges(from, to, medium.radius);
+    cut_at_shadow(edges, sun);
+    std::vector<Cell> cells = make_cells(around, edges);
+    halve_uneven(around, cells);
+    set_shares(cells);
+}
+
+std::vector<double> FirstFlight::first_edges(double from, double to, double radius) const {
+    double const closest = std::clamp(-ray_.along, from, to);
+    std::vector<double> edges;
+    if (closest > from) edges = leg_edges(ray_, closest, from, radius);
+    std::ranges::reverse(edges);
+    if (closest < to) {
+        if (!edges.empty()) edges.pop_back();
+        std::ranges::copy(leg_edges(ray_, closest, to, radius), std::back_inserter(edges));
+    }
     // Near the camera cells shrink with the distance.
-    double const first = edges_[1] - edges_[0];
-    for (double const share : {0.5, 0.25, 0.1, 0.03}) edges_.insert(edges_.begin() + 1, from + share * first);
-
-    std::vector<double> const weights = cell_light(medium, sun);
-    cumulative_.push_back(0);
-    for (double const w : weights) cumulative_.push_back(cumulative_.back() + w);
-    cumulative_.back() = 1;
+    double const first = edges[1] - edges[0];
+    for (double const share : {0.5, 0.25, 0.1, 0.03}) edges.insert(edges.begin() + 1, from + share * first);
+    return edges;
 }
 
-/// Edges from the lower end of a stretch to its upper end, at altitude quantiles that are dense at the lower one.
-void FirstFlight::add_cells(double from, double to, double radius) {
-    if (from == to) return;
-    double const lowest = ray_.radius_at(from) - radius, highest = ray_.radius_at(to) - radius;
-    double const widest = std::sqrt(-std::expm1(-(highest - lowest) / CELL_HEIGHT));
-    double const sign = to > from ? 1 : -1;
-    edges_.push_back(from);
-    for (int i = 1; i < LEG_CELLS; ++i) {
-        double const x = widest * i / LEG_CELLS;
-        double const r = radius + lowest - CELL_HEIGHT * std::log1p(-x * x);
-        edges_.push_back(-ray_.along + sign * std::sqrt(std::max(0.0, r * r - ray_.closest_squared)));
-    }
-    edges_.push_back(to);
-}
-
-/// Shares of the choices for each cell, from its middle.
-std::vector<double> FirstFlight::cell_light(Medium const& medium, Sunlight const& sun) const {
-    double const cosine = dot(ray_.direction, sun.source().to_sun);
-    std::vector<double> once, all;
-    for (std::size_t i = 1; i < edges_.size(); ++i) {
-        double const middle = 0.5 * (edges_[i - 1] + edges_[i]), width = std::max(0.0, edges_[i] - edges_[i - 1]);
-        double const altitude = ray_.radius_at(middle) - medium.radius;
-        glm::dvec3 towards_camera(0), scattering(0);
-        for (Component const& component : medium.components) {
-            glm::dvec3 const here = component.scattering * density(component.profile, altitude);
-            scattering += here;
-            towards_camera += here * phase_value(component.phase, cosine);
+/// The shadow of a ball is convex: where both ends of a cell are dark, so is all of it.
+void FirstFlight::cut_at_shadow(std::vector<double>& edges, Sunlight const& sun) const {
+    for (std::size_t i = 1; i < edges.size(); ++i) {
+        double low = edges[i - 1], high = edges[i];
+        bool const lit = sun.misses_planet(ray_.at(low));
+        if (sun.misses_planet(ray_.at(high)) == lit) continue;
+        for (int round = 0; round < 40; ++round) {
+            double const middle = 0.5 * (low + high);
+            (sun.misses_planet(ray_.at(middle)) == lit ? low : high) = middle;
         }
-        glm::dvec3 const seen = exp(start_ - depth_.at(middle)) * width;
-        once.push_back(mean(seen * towards_camera * sun.unshadowed(ray_.at(middle))));
-        all.push_back(mean(seen * scattering));
+        edges.insert(edges.begin() + static_cast<std::ptrdiff_t>(i++), high);
     }
-    if (!normalize_sum(all)) { // no scattering, or no light at all gets here
-        for (std::size_t i = 1; i < edges_.size(); ++i) all[i - 1] = edges_[i] - edges_[i - 1];
-        normalize_sum(all);
+}
+
+FirstFlight::Light FirstFlight::light_at(Surroundings const& around, double distance) const {
+    double const cosine = dot(ray_.direction, around.sun.source().to_sun);
+    double const altitude = ray_.radius_at(distance) - around.medium.radius;
+    glm::dvec3 towards_camera(0), scattering(0);
+    for (Component const& component : around.medium.components) {
+        glm::dvec3 const here = component.scattering * density(component.profile, altitude);
+        scattering += here;
+        towards_camera += here * phase_value(component.phase, cosine);
     }
-    if (!normalize_sum(once)) return all;
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = 0.5 * (all[i] + once[i]);
-    return all;
+    glm::dvec3 const seen = exp(start_ - depth_.at(distance));
+    return {mean(seen * towards_camera * around.sun.unshadowed(ray_.at(distance))), mean(seen * scattering)};
+}
+
+std::vector<FirstFlight::Cell> FirstFlight::make_cells(Surroundings const& around,
+                                                       std::vector<double> const& edges) const {
+    std::vector<Cell> cells;
+    Light start = light_at(around, edges.front());
+    for (std::size_t i = 1; i < edges.size(); ++i) {
+        double const from = edges[i - 1], to = edges[i];
+        Light const end = light_at(around, to);
+        cells.push_back({from, to, start, light_at(around, 0.5 * (from + to)), end});
+        start = end;
+    }
+    return cells;
+}
+
+void FirstFlight::halve_uneven(Surroundings const& around, std::vector<Cell>& cells) const {
+    for (int round = 0; round < ROUNDS; ++round) {
+        double total = 0;
+        for (Cell const& cell : cells) total += cell.light().once;
+        std::vector<Cell> halved;
+        for (Cell const& cell : cells) {
+            if (!cell.uneven() || cell.light().once < LEAST_LIGHT * total) {
+                halved.push_back(cell);
+                continue;
+            }
+            double const middle = 0.5 * (cell.from + cell.to);
+            auto const middle_of = [&](double a, double b) { return light_at(around, 0.5 * (a + b)); };
+            halved.push_back({cell.from, middle, cell.start, middle_of(cell.from, middle), cell.middle});
+            halved.push_back({middle, cell.to, cell.middle, middle_of(middle, cell.to), cell.end});
+        }
+        if (halved.size() == cells.size()) return;
+        cells = std::move(halved);
+    }
+}
+
+void FirstFlight::set_shares(std::vector<Cell> const& cells) {
+    std::vector<double> once, all;
+    for (Cell const& cell : cells) once.push_back(cell.light().once), all.push_back(cell.light().all);
+    double const sum_once = sum_of(once), sum_all = sum_of(all);
+    double const anywhere = (sum_all > 0 ? ANYWHERE : 1) / static_cast<double>(cells.size());
+    double const share_once = sum_once > 0 ? 0.5 * (1 - ANYWHERE) : 0;
+    double const share_all = sum_all > 0 ? 1 - ANYWHERE - share_once : 0;
+    edges_.push_back(cells.front().from), cumulative_.push_back(0);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        double share = anywhere;
+        if (sum_once > 0) share += share_once * once[i] / sum_once;
+        if (sum_all > 0) share += share_all * all[i] / sum_all;
+        edges_.push_back(cells[i].to), cumulative_.push_back(cumulative_.back() + share);
+    }
+    cumulative_.back() = 1;
 }
 
 FirstFlight::Choice FirstFlight::choose(double u) const {
