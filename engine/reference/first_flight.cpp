@@ -9,10 +9,10 @@ namespace alpenglow {
 
 namespace {
 
-constexpr int LEG_CELLS = 20;          ///< on the way down to the closest approach, and on the way up
+constexpr int LEG_CELLS = 8;           ///< on the way down to the closest approach, and on the way up
 constexpr double CELL_HEIGHT = 20'000; ///< [m] scale height of their spacing; tuned for low noise
-constexpr double EVEN = 3;             ///< ratio of the light in a cell that is left as it is; tuned for low noise
-constexpr double LEAST_LIGHT = 1e-3;   ///< of all, in a cell that is worth halving
+constexpr double EVEN = 4;             ///< ratio of the light in a cell that is left as it is; tuned for low noise
+constexpr double LEAST_LIGHT = 5e-3;   ///< of all, in a cell that is worth halving
 constexpr int ROUNDS = 5;              ///< of halving
 constexpr double ANYWHERE = 0.01;      ///< share of the choices that go to all cells alike: none is impossible
 
