@@ -128,27 +128,31 @@ Planet planet_with(double rayleigh_factor) {
 }
 
 /// Share of the sun's light that cameras at the top of the air see leave, looking in from places and directions that
-/// are distributed as light that leaves an even ball. The mean radiance L of these is flux / (pi * 4 pi r^2).
-Measured seen_leaving(Planet const& planet, int rays) {
+/// are distributed as light that leaves an even ball. The mean radiance L of these is flux / (pi * 4 pi r^2). A batch's
+/// places are one for each of even steps from the night's pole to the day's.
+Measured seen_leaving(Planet const& planet) {
+    constexpr int PLACES = 600;
     TracedWorld const world(planet, LightSource{.to_sun = TO_SUN}, 0);
     double const r = planet.radius + planet.air.top_altitude;
     std::mt19937_64 random(23);
     std::uniform_real_distribution<double> uniform;
     Tally tallies[3];
-    for (int i = 0; i < rays; ++i) {
-        double const z = 2 * uniform(random) - 1;
-        dvec3 const up = around(dvec3(0, 0, 1), z, uniform(random));
-        dvec3 const out = around(up, std::sqrt(uniform(random)), uniform(random));
-        dvec3 const l =
-            world.tracer.trace(r * (1 + 1e-9) * up, -out, 0, hash(29, static_cast<std::uint64_t>(i)), 0, 1).radiance;
-        for (int c = 0; c < 3; ++c) tallies[c].add(4 * std::numbers::pi * l[c]);
+    for (int batch = 0; batch < batches(); ++batch) {
+        dvec3 sum(0);
+        for (int i = 0; i < PLACES; ++i) {
+            dvec3 const up = around(TO_SUN, 2 * (i + uniform(random)) / PLACES - 1, uniform(random));
+            dvec3 const out = around(up, std::sqrt(uniform(random)), uniform(random));
+            std::uint64_t const key = hash(static_cast<std::uint64_t>(batch), static_cast<std::uint64_t>(i));
+            sum += world.tracer.trace(r * (1 + 1e-9) * up, -out, 0, key, 0, 1).radiance;
+        }
+        for (int c = 0; c < 3; ++c) tallies[c].add(4 * std::numbers::pi / PLACES * sum[c]);
     }
     Measured measured;
     for (int c = 0; c < 3; ++c) measured.mean[c] = tallies[c].mean(), measured.deviation[c] = tallies[c].deviation();
     return measured;
 }
 
-int const RAYS = (long_proofs() ? 25 : 1) * 40000, PHOTONS = (long_proofs() ? 25 : 1) * 200000;
+int const PHOTONS = (long_proofs() ? 25 : 1) * 200000;
 
 double deviation_of(double share) { return std::sqrt(share * (1 - share) / PHOTONS); }
 
@@ -156,7 +160,7 @@ double deviation_of(double share) { return std::sqrt(share * (1 - share) / PHOTO
 
 TEST(ReferenceEnergy, what_leaves_is_what_the_tally_counts) {
     Planet const earth = planet_with(1);
-    Measured const seen = seen_leaving(earth, RAYS);
+    Measured const seen = seen_leaving(earth);
     for (int c = 0; c < 3; ++c) {
         Photons::Shares const tally = Photons(earth, c).launch(PHOTONS);
         EXPECT_NEAR(tally.direct + tally.scattered + tally.in_air + tally.in_ground, 1, 1e-9);
@@ -182,8 +186,8 @@ TEST(ReferenceEnergy, the_tally_passes_light_as_quadrature_does) {
 }
 
 TEST(ReferenceEnergy, other_air_is_noticed) {
-    Planet const earth = planet_with(1), thicker = planet_with(1.2);
-    Measured const seen = seen_leaving(thicker, RAYS);
+    Planet const earth = planet_with(1), thicker = planet_with(1.3);
+    Measured const seen = seen_leaving(thicker);
     double const tallied = Photons(earth, 2).launch(PHOTONS).scattered;
     EXPECT_GT(std::abs(seen.mean.z - tallied), BOUND * std::hypot(seen.deviation.z, deviation_of(tallied)));
 }
