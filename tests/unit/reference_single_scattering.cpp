@@ -76,6 +76,31 @@ TEST(ReferenceSingleScattering, from_400_km_across_the_planets_shadow) {
     expect_equal(4e5, {-10, -25}, {-40, -20.5, -19.5, -18.5});
 }
 
+TEST(ReferenceSingleScattering, of_a_disc_is_the_mean_over_its_points) {
+    // The disc is half below the horizon.
+    Planet const earth = make_earth();
+    LightSource const light{.to_sun = towards(0, 0), .angular_radius = earth.sun_angular_radius};
+    SingleScatteringQuadrature const quadrature(earth);
+    TracedWorld const world(earth, light, 1);
+    constexpr int RINGS = 6, SPOKES = 12;
+    std::uint64_t seed = 900;
+    for (double const elevation : {2.0, 30.0}) {
+        Sightline s{{0, 0, earth.radius}, towards(elevation, 70), {}};
+        dvec3 exact(0);
+        for (int i = 0; i < RINGS * SPOKES; ++i) {
+            double const r = light.angular_radius * std::sqrt((i / SPOKES + 0.5) / RINGS);
+            double const turn = (i % SPOKES + 0.5) / SPOKES * 2 * std::numbers::pi;
+            s.to_sun = glm::normalize(dvec3(1, r * std::cos(turn), r * std::sin(turn)));
+            exact += quadrature(s).air / double(RINGS * SPOKES);
+        }
+        Measured const m = measure(world.tracer, s.origin, s.direction, 512, seed++);
+        // Twice the rings and spokes move the sum by less than a millionth.
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(m.mean[c], exact[c], BOUND * m.deviation[c] + 2 * ROUNDING * exact[c]);
+        s.to_sun = light.to_sun;
+        EXPECT_GT(std::abs(quadrature(s).air.x - exact.x), 2 * BOUND * m.deviation.x); // a point is not a disc
+    }
+}
+
 TEST(ReferenceSingleScattering, three_percent_more_rayleigh_is_found) {
     Planet const earth = make_earth();
     Planet thicker = earth;

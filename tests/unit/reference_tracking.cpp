@@ -1,6 +1,6 @@
 #include "reference/tracking.h"
 #include "support/single_scattering.h"
-#include "support/statistics.h"
+#include "support/traced_world.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@ using namespace alpenglow::test;
 
 namespace {
 
-constexpr int FLIGHTS = 100000;
+unsigned const FLIGHTS = long_proofs() ? 2500000 : 100000;
 
 /// Distances of first collisions, as the transmittance up to them: even in (T, 1], and T of them all get through.
 struct Flights {
@@ -32,7 +32,7 @@ Flights fly(Planet const& flown, Planet const& planet, dvec3 const& origin, dvec
         double const collided = -std::expm1(-quadrature.depth(origin, direction, start, *hit)[channel]);
         ++hits.at(static_cast<std::size_t>(std::min(BINS - 1.0, collided / (1 - transmittance) * BINS)));
     }
-    Flights result{.even = {}, .through = FLIGHTS, .expected = transmittance};
+    Flights result{.even = {}, .through = double(FLIGHTS), .expected = transmittance};
     for (double const n : hits) {
         double const mean = FLIGHTS * (1 - transmittance) / BINS;
         result.even.add(n - mean, mean * (1 - mean / FLIGHTS));
