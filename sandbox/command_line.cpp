@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "sandbox/arguments.h"
+#include "sandbox/models.h"
 
 #include <CLI/CLI.hpp>
 
@@ -41,10 +42,17 @@ template <typename Size> void add_size(CLI::App& app, Size& size, std::string co
         "pixels; " + otherwise + " unless given");
 }
 
-void add_frames(CLI::App& app, int& frames, std::string const& help) {
+void add_whole(CLI::App& app, std::string const& name, int& value, std::string const& help, int smallest, int largest) {
     add_value(
-        app, "--frames", "N",
-        [&](std::string const& t) { frames = static_cast<int>(parse_integer("--frames", t, 1, 100'000)); }, help);
+        app, name, "N",
+        [&value, name, smallest, largest](std::string const& t) {
+            value = static_cast<int>(parse_integer(name, t, smallest, largest));
+        },
+        help);
+}
+
+void add_frames(CLI::App& app, int& frames, std::string const& help) {
+    add_whole(app, "--frames", frames, help, 1, 100'000);
 }
 
 void add_path(CLI::App& app, std::string const& name, std::string const& value, std::filesystem::path& path,
@@ -57,6 +65,13 @@ void add_views(CLI::App& app, std::vector<std::filesystem::path>& views) {
     app.add_option_function<std::vector<std::string>>(
            "VIEW.json", [&](std::vector<std::string> const& given) { views.assign(given.begin(), given.end()); },
            "view files, JSON")
+        ->required()
+        ->type_name("FILE");
+}
+
+void add_picture(CLI::App& app, std::string const& name, std::filesystem::path& picture, std::string const& help) {
+    app.add_option_function<std::string>(
+           name, [&](std::string const& given) { picture = given; }, help)
         ->required()
         ->type_name("FILE");
 }
@@ -75,26 +90,54 @@ void add_placement(CLI::App& app, PlacementOptions& placement) {
     app.add_flag("--curve", placement.curve, "bends a terrain made for a flat map to the planet");
 }
 
+void add_overrides(CLI::App& app, std::vector<Override>& overrides) {
+    add_value(
+        app, "--set", "NAME=VALUE", [&](std::string const& t) { overrides.push_back(parse_override("--set", t)); },
+        "a setting, in place of the file's; may be repeated")
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+void add_device_options(CLI::App& app, DrawOptions& options) {
+    add_value(
+        app, "--device", "N",
+        [&](std::string const& t) { options.device = static_cast<int>(parse_integer("--device", t, 0, 63)); },
+        "device by its number in `alpenglow devices`");
+    app.add_flag("--validate", options.validate, "check every Vulkan call; slow");
+}
+
 void add_draw_options(CLI::App& app, DrawOptions& options) {
     add_value(
         app, "--planet", "P", [&](std::string const& t) { options.planet = t; }, "name in assets/planets, or a file");
     add_placement(app, options.placement);
-    add_value(
-        app, "--set", "NAME=VALUE",
-        [&](std::string const& t) { options.overrides.push_back(parse_override("--set", t)); },
-        "a setting, in place of the file's; may be repeated")
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    add_overrides(app, options.overrides);
     add_value(
         app, "--show", "NAME",
         [&](std::string const& t) {
             options.overrides.push_back({"show", t});
         },
         "an image of the frame in place of the result");
+    add_device_options(app, options);
+}
+
+/// An option with one or more values.
+void add_list(CLI::App& app, std::string const& name, std::string const& value,
+              std::function<void(std::vector<std::string> const&)> take, std::string const& help) {
+    app.add_option_function<std::vector<std::string>>(name, std::move(take), help)->expected(1, -1)->type_name(value);
+}
+
+void add_optional_path(CLI::App& app, std::string const& name, std::string const& value,
+                       std::optional<std::filesystem::path>& path, std::string const& help) {
     add_value(
-        app, "--device", "N",
-        [&](std::string const& t) { options.device = static_cast<int>(parse_integer("--device", t, 0, 63)); },
-        "device by its number in `alpenglow devices`");
-    app.add_flag("--validate", options.validate, "check every Vulkan call; slow");
+        app, name, value, [&](std::string const& t) { path = t; }, help);
+}
+
+void require_model(std::string const& name) {
+    std::string names;
+    for (Model const& model : MODELS) {
+        if (model.name == name) return;
+        names += (names.empty() ? "" : ", ") + std::string(model.name);
+    }
+    throw Error(ErrorKind::wrong_use, "--model: there is no model '" + name + "'", {}, "the models are: " + names);
 }
 
 void add_scene_option(CLI::App& app, std::string const& name, std::optional<std::string>& scene) {
@@ -111,8 +154,11 @@ public:
         app_.require_subcommand(1);
         add_fly();
         add_render();
+        add_reference();
         add_terrain();
         add_bench();
+        add_compare();
+        add_evaluate();
         app_.add_subcommand("devices", "Lists the Vulkan devices: which is chosen, which refused, and why")
             ->callback([this] { command_ = DevicesOptions{}; });
     }
@@ -179,6 +225,37 @@ private:
 
     void set_formats(PictureFormats formats) { render_.png = formats.png, render_.exr = formats.exr; }
 
+    void add_reference() {
+        CLI::App& app = *app_.add_subcommand("reference", "Path-traces each view on the CPU: linear radiance and its "
+                                                          "variance as EXR");
+        add_views(app, reference_.views);
+        add_whole(app, "--samples", reference_.samples, "paths for each pixel, in passes of 256; 4096 unless given", 2, 1 << 30);
+        add_value(
+            app, "--noise", "X", [this](std::string const& t) { reference_.noise = parse_number("--noise", t, 1e-6, 1); },
+            "done when the HDR-FLIP between two halves of the samples is at most this; --samples is then the limit");
+        add_value(
+            app, "--orders", "K|all",
+            [this](std::string const& t) {
+                reference_.orders = t == "all" ? 0 : static_cast<int>(parse_integer("--orders", t, 1, 1'000'000));
+            },
+            "events in air or on ground between sun and camera at most; all unless given");
+        add_value(
+            app, "--sun", "disc|point",
+            [this](std::string const& t) { reference_.point_sun = parse_choice("--sun", t, {"disc", "point"}) == 1; },
+            "the light of a disc of the sun's angular radius, or of its centre; disc unless given");
+        add_value(
+            app, "--seed", "N",
+            [this](std::string const& t) {
+                reference_.seed = static_cast<std::uint64_t>(parse_integer("--seed", t, 0, 1L << 62));
+            },
+            "1 unless given; the same picture for any number of threads");
+        add_whole(app, "--threads", reference_.threads, "one for each core unless given", 1, 1024);
+        add_size(app, reference_.size, "320x180");
+        add_path(app, "--out", "DIR", reference_.out, "folder; out/reference unless given");
+        app.add_flag("--resume", reference_.resume, "goes on where an interrupted run stopped");
+        app.callback([this] { command_ = reference_; });
+    }
+
     void add_terrain() {
         CLI::App& app = *app_.add_subcommand("terrain", "Writes an alpine glTF terrain, the same for the same options");
         TerrainOptions& t = terrain_.terrain;
@@ -216,11 +293,53 @@ private:
         app.callback([this] { command_ = bench_; });
     }
 
+    void add_compare() {
+        CLI::App& app = *app_.add_subcommand("compare", "Measures how far a picture is from its reference");
+        add_picture(app, "TEST", compare_.test, "the picture, PNG or EXR by its content");
+        add_picture(app, "REFERENCE", compare_.reference, "what it should be, of the same kind and size");
+        add_value(
+            app, "--exposure", "STOPS",
+            [this](std::string const& t) { compare_.exposure = parse_number("--exposure", t, -32, 32); },
+            "of EXR pictures as LDR FLIP sees them; 0 unless given");
+        add_value(
+            app, "--heatmap", "OUT.png", [this](std::string const& t) { compare_.heatmap = t; },
+            "a picture of FLIP's error of each pixel");
+        app.add_flag("--json", compare_.json, "prints JSON");
+        app.callback([this] { command_ = compare_; });
+    }
+
+    void add_evaluate() {
+        CLI::App& app = *app_.add_subcommand("evaluate", "Compares rendered views with the path tracer's pictures");
+        EvaluateOptions& e = evaluate_;
+        add_list(
+            app, "--views", "VIEW.json",
+            [&e](std::vector<std::string> const& given) { e.views.assign(given.begin(), given.end()); },
+            "view files; all of assets/views/comparison unless given");
+        add_list(
+            app, "--model", "NAME",
+            [&e](std::vector<std::string> const& given) {
+                for (std::string const& name : given) require_model(name);
+                e.models = given;
+            },
+            "how the air is lit; all models unless given");
+        add_optional_path(app, "--references", "DIR", e.references, "folder; assets/references unless given");
+        app.add_flag("--json", e.json, "prints JSON");
+        add_optional_path(app, "--heatmaps", "DIR", e.heatmaps, "writes FLIP's heat maps there");
+        add_optional_path(app, "--document", "FILE.md", e.document, "writes the table and its worst views as Markdown");
+        add_optional_path(app, "--check", "FILE.md", e.check, "fails where FLIP or RMSE are not what that table says");
+        add_overrides(app, e.overrides);
+        add_device_options(app, e);
+        app.callback([this] { command_ = evaluate_; });
+    }
+
     CLI::App app_;
     FlyOptions fly_;
     RenderOptions render_;
+    ReferenceOptions reference_;
     TerrainCommandOptions terrain_;
     BenchOptions bench_;
+    CompareOptions compare_;
+    EvaluateOptions evaluate_;
     Command command_;
 };
 

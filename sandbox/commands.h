@@ -67,9 +67,39 @@ struct BenchOptions : DrawOptions {
     bool json = false;
 };
 
+struct CompareOptions {
+    std::filesystem::path test, reference;
+    std::optional<double> exposure; ///< [stops] of the pictures that LDR FLIP compares; 0 unless given
+    std::optional<std::filesystem::path> heatmap;
+    bool json = false;
+};
+
+struct EvaluateOptions : DrawOptions {
+    std::vector<std::filesystem::path> views;         ///< empty: all of assets/views/comparison
+    std::vector<std::string> models;                  ///< names of MODELS; empty: all
+    std::optional<std::filesystem::path> references;  ///< folder; assets/references unless given
+    bool json = false;
+    std::optional<std::filesystem::path> heatmaps; ///< folder
+    std::optional<std::filesystem::path> document; ///< Markdown file to write
+    std::optional<std::filesystem::path> check;    ///< such a file, whose figures must still hold
+};
+
 struct TerrainCommandOptions {
     TerrainOptions terrain;
     std::filesystem::path out = "out/terrain/terrain.gltf";
+};
+
+struct ReferenceOptions {
+    std::vector<std::filesystem::path> views; ///< at least one
+    int samples = 4096; ///< paths for each pixel, at most where `noise` is given; rounded up to whole passes
+    double noise = 0;   ///< HDR-FLIP between two halves at which a view is done; 0: after all samples
+    int orders = 0;     ///< events between sun and camera; 0: any number
+    bool point_sun = false;
+    std::uint64_t seed = 1;
+    int threads = 0; ///< 0: one for each core
+    Extent size{320, 180};
+    std::filesystem::path out = "out/reference";
+    bool resume = false;
 };
 
 struct DevicesOptions {};
@@ -78,7 +108,10 @@ struct DevicesOptions {};
 int fly(FlyOptions const& options);
 int render(RenderOptions const& options);
 int bench(BenchOptions const& options);
+int compare(CompareOptions const& options);
+int evaluate(EvaluateOptions const& options);
 int terrain(TerrainCommandOptions const& options);
+int reference(ReferenceOptions const& options);
 int devices(DevicesOptions const& options);
 
 } // namespace alpenglow

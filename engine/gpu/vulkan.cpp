@@ -42,7 +42,6 @@ void check(VkResult result, std::string_view doing) {
 
 std::uint32_t bytes_per_texel(VkFormat format) {
     switch (format) {
-    case VK_FORMAT_R8G8_UNORM: return 2;
     case VK_FORMAT_R8G8B8A8_UNORM:
     case VK_FORMAT_R8G8B8A8_SRGB:
     case VK_FORMAT_B8G8R8A8_UNORM:

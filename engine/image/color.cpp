@@ -34,6 +34,16 @@ float linear_from_srgb_byte(std::uint8_t encoded) {
 
 std::uint8_t srgb_byte_from_linear(float linear) { return byte_from_unit(srgb_from_linear(linear)); }
 
+FloatImage exponential_display(FloatImage const& radiance, double exposure) {
+    auto const gain = static_cast<float>(std::exp2(exposure));
+    FloatImage result = radiance;
+    for (std::size_t i = 0; i < result.rgba.size(); ++i) {
+        float& value = result.rgba[i];
+        if (i % 4 != 3 && std::isfinite(value)) value = -std::expm1(-gain * value);
+    }
+    return result;
+}
+
 FloatImage linear_from_srgb(ByteImage const& image) {
     FloatImage result(image.extent);
     for (std::size_t i = 0; i < image.rgba.size(); ++i) {

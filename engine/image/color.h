@@ -19,6 +19,10 @@ constexpr float luminance(float red, float green, float blue) {
     return 0.2126f * red + 0.7152f * green + 0.0722f * blue;
 }
 
+/// Linear light 0..1 as a screen shows radiance through the exponential curve: 1 - exp(-2^exposure * L). `exposure` is
+/// in stops. What is not finite stays as it is, and so does alpha.
+FloatImage exponential_display(FloatImage const& radiance, double exposure);
+
 /// Alpha is linear in both and only scaled.
 FloatImage linear_from_srgb(ByteImage const& image);
 ByteImage srgb_from_linear(FloatImage const& image);

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "image/exr_streams.h"
 
 #include <algorithm>
 #include <array>
@@ -13,7 +14,6 @@
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
-#include <OpenEXR/ImfIO.h>
 #include <OpenEXR/ImfInputFile.h>
 #include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfStandardAttributes.h>
@@ -30,47 +30,6 @@ constexpr std::array<char const*, 4> CHANNELS{"R", "G", "B", "A"};
 std::string const VARIANCE = "variance."; ///< before the channels' letters
 
 using TextAttributes = std::map<std::string, std::string>;
-
-class MemoryWriter : public Imf::OStream {
-public:
-    MemoryWriter() : OStream("memory") {}
-
-    void write(char const* data, int size) override {
-        std::size_t const end = position_ + static_cast<std::size_t>(size);
-        if (end > bytes_.size()) bytes_.resize(end);
-        std::memcpy(bytes_.data() + position_, data, static_cast<std::size_t>(size));
-        position_ = end;
-    }
-    std::uint64_t tellp() override { return position_; }
-    void seekp(std::uint64_t position) override { position_ = position; }
-
-    std::vector<std::byte> take() { return std::move(bytes_); }
-
-private:
-    std::vector<std::byte> bytes_;
-    std::size_t position_ = 0;
-};
-
-class MemoryReader : public Imf::IStream {
-public:
-    explicit MemoryReader(std::span<std::byte const> bytes) : IStream("memory"), bytes_(bytes) {}
-
-    bool read(char* data, int size) override {
-        auto const wanted = static_cast<std::size_t>(size);
-        if (position_ > bytes_.size() || wanted > bytes_.size() - position_) {
-            throw Error(ErrorKind::bad_input, "EXR file is cut short");
-        }
-        std::memcpy(data, bytes_.data() + position_, wanted);
-        position_ += wanted;
-        return position_ < bytes_.size();
-    }
-    std::uint64_t tellg() override { return position_; }
-    void seekg(std::uint64_t position) override { position_ = position; }
-
-private:
-    std::span<std::byte const> bytes_;
-    std::uint64_t position_ = 0;
-};
 
 bool has_alpha(FloatImage const& image) {
     for (std::size_t i = 3; i < image.rgba.size(); i += 4) {
@@ -127,8 +86,10 @@ Extent checked_extent(Imath::Box2i const& window) {
                height = std::int64_t{window.max.y} - window.min.y + 1;
     if (width < 1 || height < 1 || width > LARGEST_SIDE || height > LARGEST_SIDE ||
         static_cast<std::size_t>(width * height) > MOST_PIXELS) {
-        throw Error(ErrorKind::bad_input, "EXR picture of " + std::to_string(width) + "x" + std::to_string(height) +
-                                              " pixels is beyond the limit of 2^26 pixels");
+        throw Error(ErrorKind::bad_input,
+                    "EXR picture of " + std::to_string(width) + "x" + std::to_string(height) +
+                        " pixels is beyond the limit of 2^26 pixels",
+                    {}, "use a smaller one");
     }
     return {static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
 }
@@ -194,7 +155,8 @@ void check_attribute_sizes(std::span<std::byte const> bytes) {
         if (at + sizeof size > bytes.size()) return;
         std::memcpy(&size, &bytes[at], sizeof size); // little endian, as this machine is
         at += sizeof size;
-        if (size > bytes.size() - at) throw Error(ErrorKind::bad_input, "EXR file is cut short within its header");
+        if (size > bytes.size() - at)
+            throw Error(ErrorKind::bad_input, "EXR file is cut short within its header", {}, WHOLE_EXR_NEEDED);
         at += size;
     }
 }
@@ -218,9 +180,9 @@ template <typename Read> auto decode(std::span<std::byte const> bytes, Read read
     } catch (Error const&) {
         throw;
     } catch (std::bad_alloc const&) {
-        throw Error(ErrorKind::bad_input, "EXR picture does not fit into memory");
+        throw Error(ErrorKind::bad_input, "EXR picture does not fit into memory", {}, "use a smaller one");
     } catch (std::exception const& error) {
-        throw Error(ErrorKind::bad_input, "EXR picture can't be decoded: " + first_line(error));
+        throw Error(ErrorKind::bad_input, "EXR picture can't be decoded: " + first_line(error), {}, WHOLE_EXR_NEEDED);
     }
 }
 

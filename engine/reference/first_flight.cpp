@@ -14,11 +14,19 @@ constexpr double CELL_HEIGHT = 20'000; ///< [m] scale height of their spacing; t
 constexpr double EVEN = 4;             ///< ratio of the light in a cell that is left as it is; tuned for low noise
 constexpr double LEAST_LIGHT = 5e-3;   ///< of all, in a cell that is worth halving
 constexpr int ROUNDS = 5;              ///< of halving
-constexpr double ANYWHERE = 0.01;      ///< share of the choices that go to all cells alike: none is impossible
+// Shares of the choices; the guide's light has what is left.
+constexpr double SHARE_ONCE = 0.4, SHARE_PLAIN = 0.09;
+constexpr double ANYWHERE = 0.01; ///< all cells alike: none is impossible
 
 double mean(glm::dvec3 const& color) { return (color.x + color.y + color.z) / 3; }
 
-double sum_of(std::vector<double> const& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
+/// In place: to the sum 1. False where there is nothing.
+bool normalize_sum(std::vector<double>& weights) {
+    double const sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+    if (!(sum > 0)) return false;
+    for (double& w : weights) w /= sum;
+    return true;
+}
 
 /// Distances of the edges from the lower end of a stretch to its upper end, at altitude quantiles that are dense at the
 /// lower one.
@@ -40,8 +48,9 @@ std::vector<double> leg_edges(Ray const& ray, double from, double to, double rad
 
 /// By Simpson's rule.
 FirstFlight::Light FirstFlight::Cell::light() const {
-    double const weight = std::max(0.0, to - from) / 6;
-    return {weight * (start.once + 4 * middle.once + end.once), weight * (start.all + 4 * middle.all + end.all)};
+    double const width = std::max(0.0, to - from);
+    auto const integral = [&](double Light::*part) { return width / 6 * (start.*part + 4 * middle.*part + end.*part); };
+    return {integral(&Light::once), integral(&Light::bright), integral(&Light::plain)};
 }
 
 bool FirstFlight::Cell::uneven() const {
@@ -49,10 +58,10 @@ bool FirstFlight::Cell::uneven() const {
     return most > EVEN * least;
 }
 
-FirstFlight::FirstFlight(Medium const& medium, OpticalDepth const& depth, Sunlight const& sun, Ray const& ray,
-                         double from, double to)
+FirstFlight::FirstFlight(Medium const& medium, OpticalDepth const& depth, Sunlight const& sun, LightGuide const& guide,
+                         Ray const& ray, double from, double to)
     : ray_(ray), depth_(depth, ray), start_(depth_.at(from)) {
-    Surroundings const around{medium, sun};
+    Surroundings const around{medium, sun, guide};
     std::vector<double> edges = first_edges(from, to, medium.radius);
     cut_at_shadow(edges, sun);
     std::vector<Cell> cells = make_cells(around, edges);
@@ -98,8 +107,9 @@ FirstFlight::Light FirstFlight::light_at(Surroundings const& around, double dist
         scattering += here;
         towards_camera += here * phase_value(component.phase, cosine);
     }
-    glm::dvec3 const seen = exp(start_ - depth_.at(distance));
-    return {mean(seen * towards_camera * around.sun.unshadowed(ray_.at(distance))), mean(seen * scattering)};
+    glm::dvec3 const seen = exp(start_ - depth_.at(distance)), place = ray_.at(distance);
+    double const plain = mean(seen * scattering);
+    return {mean(seen * towards_camera * around.sun.unshadowed(place)), plain * around.guide.brightness(place), plain};
 }
 
 std::vector<FirstFlight::Cell> FirstFlight::make_cells(Surroundings const& around,
@@ -136,17 +146,21 @@ void FirstFlight::halve_uneven(Surroundings const& around, std::vector<Cell>& ce
 }
 
 void FirstFlight::set_shares(std::vector<Cell> const& cells) {
-    std::vector<double> once, all;
-    for (Cell const& cell : cells) once.push_back(cell.light().once), all.push_back(cell.light().all);
-    double const sum_once = sum_of(once), sum_all = sum_of(all);
-    double const anywhere = (sum_all > 0 ? ANYWHERE : 1) / static_cast<double>(cells.size());
-    double const share_once = sum_once > 0 ? 0.5 * (1 - ANYWHERE) : 0;
-    double const share_all = sum_all > 0 ? 1 - ANYWHERE - share_once : 0;
+    std::vector<double> once, bright, plain;
+    for (Cell const& cell : cells) {
+        Light const light = cell.light();
+        once.push_back(light.once), bright.push_back(light.bright), plain.push_back(light.plain);
+    }
+    std::vector<double> anywhere(cells.size(), 1);
+    double const share_once = normalize_sum(once) ? SHARE_ONCE : 0;
+    double const share_plain = normalize_sum(plain) ? SHARE_PLAIN : 0;
+    double const share_bright = normalize_sum(bright) ? 1 - ANYWHERE - share_once - share_plain : 0;
+    double const share_anywhere = 1 - share_once - share_plain - share_bright;
+    normalize_sum(anywhere);
     edges_.push_back(cells.front().from), cumulative_.push_back(0);
     for (std::size_t i = 0; i < cells.size(); ++i) {
-        double share = anywhere;
-        if (sum_once > 0) share += share_once * once[i] / sum_once;
-        if (sum_all > 0) share += share_all * all[i] / sum_all;
+        double const share =
+            share_once * once[i] + share_bright * bright[i] + share_plain * plain[i] + share_anywhere * anywhere[i];
         edges_.push_back(cells[i].to), cumulative_.push_back(cumulative_.back() + share);
     }
     cumulative_.back() = 1;

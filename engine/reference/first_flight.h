@@ -1,5 +1,6 @@
 #pragma once
 
+#include "reference/light_guide.h"
 #include "reference/medium.h"
 #include "reference/optical_depth.h"
 #include "reference/sunlight.h"
@@ -9,10 +10,10 @@
 namespace alpenglow {
 
 /// Where a camera's ray meets the air for the first time: always somewhere along it, however thin the air. The density
-/// of the choice is constant in each of some dozens of cells, half of it as the sunlight that is scattered once to the
-/// camera, half as all that is scattered, with a little everywhere; the weight makes up for what it is not. Cells end
-/// where the planet's shadow does, and are halved where the light in them is uneven: what is chosen rarely must not be
-/// bright.
+/// of the choice is constant in each of some dozens of cells: partly as the sunlight that is scattered once to the
+/// camera, partly as what is scattered where the air is bright, with a little everywhere; the weight makes up for what
+/// it is not. Cells end where the planet's shadow does, and are halved where the light in them is uneven: what is
+/// chosen rarely must not be bright.
 class FirstFlight {
 public:
     struct Choice {
@@ -21,8 +22,8 @@ public:
     };
 
     /// Between two distances inside the medium, with no ground between. `ray` must outlive this.
-    FirstFlight(Medium const& medium, OpticalDepth const& depth, Sunlight const& sun, Ray const& ray, double from,
-                double to);
+    FirstFlight(Medium const& medium, OpticalDepth const& depth, Sunlight const& sun, LightGuide const& guide,
+                Ray const& ray, double from, double to);
 
     /// For a number in (0, 1).
     Choice choose(double u) const;
@@ -30,10 +31,11 @@ public:
     glm::dvec3 transmittance() const;
 
 private:
-    /// Light per length of the ray, up to a common factor.
+    /// Light per length of the ray, each up to a factor.
     struct Light {
-        double once; ///< scattered once
-        double all;  ///< what any light could scatter
+        double once;   ///< scattered once
+        double bright; ///< scattered, of the light that the guide knows
+        double plain;  ///< scattered, of light that is the same everywhere
     };
     struct Cell {
         double from, to; ///< [m]
@@ -45,6 +47,7 @@ private:
     struct Surroundings {
         Medium const& medium;
         Sunlight const& sun;
+        LightGuide const& guide;
     };
     std::vector<double> first_edges(double from, double to, double radius) const;
     void cut_at_shadow(std::vector<double>& edges, Sunlight const& sun) const;

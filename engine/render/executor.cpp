@@ -22,8 +22,10 @@ double milliseconds_since(Clock::time_point start) {
 VkImageUsageFlags transient_usage(ImageShape const& shape) {
     VkImageUsageFlags const common = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
     if (shape.is_depth()) return common | VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
-    bool const storage = shape.format == VK_FORMAT_R32G32B32A32_SFLOAT || shape.format == VK_FORMAT_R8G8B8A8_UNORM;
-    return common | (storage ? VK_IMAGE_USAGE_STORAGE_BIT : VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT);
+    if (shape.format == VK_FORMAT_R32G32B32A32_SFLOAT) return common | VK_IMAGE_USAGE_STORAGE_BIT;
+    if (shape.format == VK_FORMAT_R8G8B8A8_UNORM)
+        return common | VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
+    return common | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
 }
 
 VkRenderingAttachmentInfo attachment(VkImageView view, VkImageLayout layout, bool clear) {

@@ -45,8 +45,6 @@ std::string pass_line(FrameGraph const& graph, std::size_t index, PlannedPass co
 
 char const* format_name(VkFormat format) {
     switch (format) {
-    case VK_FORMAT_R8G8_UNORM:
-        return "R8G8_UNORM";
     case VK_FORMAT_R8G8B8A8_UNORM:
         return "R8G8B8A8_UNORM";
     case VK_FORMAT_R8G8B8A8_SRGB:

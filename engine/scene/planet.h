@@ -33,7 +33,8 @@ struct Planet {
     bool has_air = true;
     Air air{};
     GroundLook look = GroundLook::procedural;
-    glm::dvec3 ground_albedo{0.2};    ///< mean albedo for light in the air; the colour itself where the look is uniform
+    /// Mean albedo for light in the air; where the look is uniform, of a matte (Lambert) ground all round.
+    glm::dvec3 ground_albedo{0.2};
     glm::dvec3 solar_irradiance{1.0}; ///< relative, above the air
     double sun_angular_radius = 0.004675; ///< [rad]
 };

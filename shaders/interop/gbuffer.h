@@ -1,7 +1,7 @@
-// The G-buffer: 22 bytes a pixel. Formats and their precision:
+// The G-buffer: 24 bytes a pixel. Formats and their precision:
 //   albedo    RGBA8 sRGB        diffuse colour, half a step of 1/255 in sRGB; alpha: occlusion, 1/510
 //   normal    RGBA16 SNORM      octahedral, world axes; xy shading normal, zw surface normal: below 0.005 degrees
-//   material  RG8 UNORM         perceptual roughness, metalness: 1/510
+//   material  RGBA8 UNORM       perceptual roughness, metalness, gloss (0: Lambert alone): 1/510; alpha unused
 //   emission  B10G11R11 UFLOAT  radiance relative to the sun's irradiance, 1/64 (blue 1/32) relative
 //   depth     D32 SFLOAT        reversed, infinite: 6e-8 relative
 #ifndef ALPENGLOW_INTEROP_GBUFFER_H

@@ -12,7 +12,7 @@ layout(location = 4) in vec4 color;
 
 layout(location = GBUFFER_ALBEDO_TARGET) out vec4 out_albedo;
 layout(location = GBUFFER_NORMAL_TARGET) out vec4 out_normal;
-layout(location = GBUFFER_MATERIAL_TARGET) out vec2 out_material;
+layout(location = GBUFFER_MATERIAL_TARGET) out vec4 out_material;
 layout(location = GBUFFER_EMISSION_TARGET) out vec3 out_emission;
 
 // Tangent and bitangent from how position and texture coordinates change across the screen
@@ -53,6 +53,6 @@ void main() {
 
     out_albedo = vec4(base.rgb, occlusion);
     out_normal = vec4(octahedral_from_unit(shading), octahedral_from_unit(facing));
-    out_material = vec2(metal_rough.y * material.roughness, metal_rough.x * material.metallic);
+    out_material = vec4(metal_rough.y * material.roughness, metal_rough.x * material.metallic, 1.0, 1.0);
     out_emission = material.emission * texture(emission_texture, uv_of(MATERIAL_EMISSION_SLOT, uv)).rgb;
 }

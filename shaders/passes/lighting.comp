@@ -48,8 +48,8 @@ PixelRay pixel_ray(ivec2 pixel) {
 vec3 surface_radiance(ivec2 pixel, PixelRay ray, AirPoint place, vec3 light) {
     vec4 albedo = texelFetch(albedo_image, pixel, 0);
     vec4 normals = texelFetch(normal_image, pixel, 0);
-    vec2 rough_metal = texelFetch(material_image, pixel, 0).rg;
-    Surface surface = make_surface(albedo.rgb, rough_metal.y, rough_metal.x);
+    vec3 material = texelFetch(material_image, pixel, 0).rgb; // roughness, metalness, gloss
+    Surface surface = make_surface(albedo.rgb, material.y, material.x, material.z);
     vec3 shading = unit_from_octahedral(normals.xy), facing = unit_from_octahedral(normals.zw);
     vec3 to_camera = -ray.direction;
 

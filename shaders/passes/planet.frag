@@ -13,7 +13,7 @@ layout(location = 0) in vec2 ndc;
 
 layout(location = GBUFFER_ALBEDO_TARGET) out vec4 out_albedo;
 layout(location = GBUFFER_NORMAL_TARGET) out vec4 out_normal;
-layout(location = GBUFFER_MATERIAL_TARGET) out vec2 out_material;
+layout(location = GBUFFER_MATERIAL_TARGET) out vec4 out_material;
 layout(location = GBUFFER_EMISSION_TARGET) out vec3 out_emission;
 
 void main() {
@@ -35,7 +35,9 @@ void main() {
     look.albedo = frame.ground_tint;
     look.roughness = 1.0;
     look.water = 0.0;
+    float gloss = 0.0; // a uniform ground sends back its albedo, as the air's tables take it to
     if ((frame.flags & FRAME_PROCEDURAL_GROUND) != 0) {
+        gloss = 1.0;
         vec3 in_period = mod(frame.camera_in_period + direction * distance, vec3(GROUND_PERIOD));
         look = planet_look(unit, in_period, footprint / radius, radius);
     }
@@ -43,7 +45,7 @@ void main() {
     vec2 normal = octahedral_from_unit(unit);
     out_albedo = vec4(look.albedo, 1.0);
     out_normal = vec4(normal, normal);
-    out_material = vec2(look.roughness, 0.0);
+    out_material = vec4(look.roughness, 0.0, gloss, 1.0);
     out_emission = vec3(0.0);
     gl_FragDepth = frame.near_plane * stretch / distance;
 }

@@ -8,13 +8,18 @@ struct Surface {
     vec3 diffuse;    // diffuse reflectance, 0 to 1
     vec3 specular;   // reflectance at normal incidence
     float alpha;     // GGX width: perceptual roughness squared
+    float gloss;     // weight of the specular part; 0: Lambert alone
 };
 
 CONSTANT float LEAST_ROUGHNESS = 0.045f; // perceptual; narrower lobes alias and overflow
 
-INLINE Surface make_surface(vec3 albedo, float metalness, float roughness) {
+INLINE Surface make_surface(vec3 albedo, float metalness, float roughness, float gloss) {
     float rough = max(roughness, LEAST_ROUGHNESS);
-    return Surface(albedo * (1.0f - metalness), mix(vec3(0.04f), albedo, metalness), rough * rough);
+    return Surface(albedo * (1.0f - metalness), mix(vec3(0.04f), albedo, metalness), rough * rough, gloss);
+}
+
+INLINE Surface make_surface(vec3 albedo, float metalness, float roughness) {
+    return make_surface(albedo, metalness, roughness, 1.0f);
 }
 
 // Trowbridge and Reitz 1975 [1/sr]; integrates to 1 over the projected hemisphere of half vectors.
@@ -44,7 +49,7 @@ INLINE vec3 reflect_light(Surface surface, vec3 n, vec3 v, vec3 l) {
     float n_l = max(dot(n, l), 0.0f);
     float n_v = max(dot(n, v), 1e-4f);
     float n_h = clamp(dot(n, h), 0.0f, 1.0f);
-    vec3 f = fresnel(surface.specular, max(dot(v, h), 0.0f));
+    vec3 f = surface.gloss * fresnel(surface.specular, max(dot(v, h), 0.0f));
     vec3 gloss = f * (ggx_distribution(n_h, surface.alpha) * ggx_visibility(n_l, n_v, surface.alpha));
     return (surface.diffuse * (vec3(1.0f) - f) * (1.0f / PI) + gloss) * n_l;
 }
@@ -57,7 +62,7 @@ INLINE vec3 reflect_ambient(Surface surface, float n_v) {
     vec4 r = roughness * c0 + c1;
     float a004 = min(r.x * r.x, exp2(-9.28f * n_v)) * r.x + r.y;
     // The fit dips below zero where a rough surface reflects nothing.
-    vec3 gloss = max(surface.specular * (-1.04f * a004 + r.z) + vec3(1.04f * a004 + r.w), vec3(0.0f));
+    vec3 gloss = surface.gloss * max(surface.specular * (-1.04f * a004 + r.z) + vec3(1.04f * a004 + r.w), vec3(0.0f));
     return (surface.diffuse * (vec3(1.0f) - gloss) + gloss) * (1.0f / PI);
 }
 

@@ -49,11 +49,29 @@ double small_float(std::uint32_t bits, int mantissa) {
 
 } // namespace
 
-TEST_F(GBufferPass, takes_22_bytes_a_pixel) {
+TEST_F(GBufferPass, takes_24_bytes_a_pixel) {
     draw();
     std::size_t bytes = 0;
     for (char const* const name : {"albedo", "normal", "material", "emission", "depth"}) bytes += renderer().image_bytes(name).size();
-    EXPECT_EQ(bytes, 22 * SMALL.pixels());
+    EXPECT_EQ(bytes, 24 * SMALL.pixels());
+}
+
+TEST_F(GBufferPass, a_uniform_planet_is_matte_and_other_surfaces_are_not) {
+    draw_wall(matte(glm::vec3(0.5)), 10);
+    EXPECT_EQ(middle<std::uint8_t>("material")[2], 255);
+    Planet planet = airless_planet();
+    planet.look = GroundLook::uniform;
+    planet.ground_albedo = {0.5, 0.25, 0};
+    Stand const stand = stand_on(planet, 10);
+    Scene const nothing = scene_of({});
+    put(nothing, stand);
+    constexpr double PI = 3.14159265358979;
+    // Low, ahead, where a glossy ground would shine.
+    FloatImage const seen = radiance(stand.view(stand.camera({0, 0, 0}, {0, -2, -10}, 0.2), sun_at(10, 0)), plain_settings(), SMALL);
+    glm::dvec3 const lambert = planet.ground_albedo * std::sin(10 * PI / 180) / PI;
+    glm::vec3 const middle_pixel = pixel(seen, SMALL.width / 2, SMALL.height / 2);
+    // Half a step of 1/255 in sRGB is 0.9 % of 0.25. A dielectric's gloss would add 0.01 here, to black too.
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(middle_pixel[c], lambert[c], 0.01 * lambert[c]) << c;
 }
 
 TEST_F(GBufferPass, albedo_is_within_half_a_step_of_srgb) {

@@ -106,11 +106,25 @@ TEST(CommandLine, terrain_and_bench_and_devices) {
     EXPECT_TRUE(std::holds_alternative<DevicesOptions>(parse("devices")));
 }
 
+TEST(CommandLine, compare_takes_two_pictures) {
+    auto const plain = std::get<CompareOptions>(parse("compare test.exr reference.exr"));
+    EXPECT_EQ(plain.test, "test.exr");
+    EXPECT_EQ(plain.reference, "reference.exr");
+    EXPECT_FALSE(plain.exposure || plain.heatmap || plain.json);
+    auto const full = std::get<CompareOptions>(parse("compare a.png b.png --exposure -2.5 --heatmap h.png --json"));
+    EXPECT_EQ(full.exposure, -2.5);
+    EXPECT_EQ(full.heatmap, "h.png");
+    EXPECT_TRUE(full.json);
+    expect_refused("compare a.exr", "REFERENCE");
+    expect_refused("compare a.exr b.exr c.exr", "c.exr");
+    expect_refused("compare a.exr b.exr --exposure 99", "--exposure");
+}
+
 TEST(CommandLine, every_command_has_help) {
     EXPECT_NE(std::get<TextToPrint>(parse("--help")).text.find("render"), std::string::npos);
     EXPECT_EQ(std::get<TextToPrint>(parse("--version")).text.find("alpenglow "), 0u);
     for (auto const& [command, option] : {std::pair{"fly", "--headless"}, std::pair{"render", "--format"}, std::pair{"terrain", "--seed"},
-                                          std::pair{"bench", "--json"}}) {
+                                          std::pair{"bench", "--json"}, std::pair{"compare", "--heatmap"}}) {
         std::string const help = std::get<TextToPrint>(parse(std::string(command) + " --help")).text;
         EXPECT_NE(help.find(std::string("alpenglow ") + command), std::string::npos) << help;
         EXPECT_NE(help.find(option), std::string::npos) << help;

@@ -11,7 +11,7 @@ namespace {
 GBuffer make_images(FrameGraph& graph, Extent extent) {
     return {graph.add_image("albedo", {VK_FORMAT_R8G8B8A8_SRGB, extent}, ShowScale::unit),
             graph.add_image("normal", {VK_FORMAT_R16G16B16A16_SNORM, extent}, ShowScale::normal),
-            graph.add_image("material", {VK_FORMAT_R8G8_UNORM, extent}, ShowScale::unit),
+            graph.add_image("material", {VK_FORMAT_R8G8B8A8_UNORM, extent}, ShowScale::unit),
             graph.add_image("emission", {VK_FORMAT_B10G11R11_UFLOAT_PACK32, extent}, ShowScale::radiance),
             graph.add_image("depth", {VK_FORMAT_D32_SFLOAT, extent}, ShowScale::depth)};
 }
