@@ -44,7 +44,7 @@ private:
     void walk(Path& path) const;
     bool fly(Path& path, Ray const& ray, std::optional<GroundPoint> const& ground) const;
     bool fly_tracked(Path& path, Ray const& ray, Span const& air, DepthAlong const& depth, glm::dvec3 const& start) const;
-    bool survives(Path& path, double value) const;
+    bool survives(Path& path, double light) const;
 
     Medium medium_;
     OpticalDepth depth_;
