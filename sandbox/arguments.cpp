@@ -2,9 +2,11 @@
 
 #include "core/error.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <optional>
 #include <vector>
 
@@ -87,6 +89,13 @@ Override parse_override(std::string_view option, std::string_view text) {
     std::size_t const equals = text.find('=');
     if (equals == 0 || equals == std::string_view::npos) refuse(option, text, "NAME=VALUE, such as samples=64");
     return {std::string(text.substr(0, equals)), std::string(text.substr(equals + 1))};
+}
+
+std::size_t parse_choice(std::string_view option, std::string_view text,
+                         std::initializer_list<std::string_view> choices) {
+    auto const found = std::ranges::find(choices, text);
+    if (found == choices.end()) refuse(option, text, fmt::format("{}", fmt::join(choices, " or ")));
+    return static_cast<std::size_t>(found - choices.begin());
 }
 
 PictureFormats parse_formats(std::string_view option, std::string_view text) {

@@ -2,6 +2,7 @@
 
 #include "sandbox/commands.h"
 
+#include <initializer_list>
 #include <string>
 #include <string_view>
 
@@ -20,6 +21,9 @@ Extent parse_size(std::string_view option, std::string_view text);
 Geodetic parse_place(std::string_view option, std::string_view text);
 /// NAME=VALUE; the value may be empty and may hold '='.
 Override parse_override(std::string_view option, std::string_view text);
+
+/// Which of `choices` the text is, from 0.
+std::size_t parse_choice(std::string_view option, std::string_view text, std::initializer_list<std::string_view> choices);
 
 struct PictureFormats {
     bool png = false, exr = false;

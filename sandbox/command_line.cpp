@@ -42,10 +42,17 @@ template <typename Size> void add_size(CLI::App& app, Size& size, std::string co
         "pixels; " + otherwise + " unless given");
 }
 
-void add_frames(CLI::App& app, int& frames, std::string const& help) {
+void add_whole(CLI::App& app, std::string const& name, int& value, std::string const& help, int smallest, int largest) {
     add_value(
-        app, "--frames", "N",
-        [&](std::string const& t) { frames = static_cast<int>(parse_integer("--frames", t, 1, 100'000)); }, help);
+        app, name, "N",
+        [&value, name, smallest, largest](std::string const& t) {
+            value = static_cast<int>(parse_integer(name, t, smallest, largest));
+        },
+        help);
+}
+
+void add_frames(CLI::App& app, int& frames, std::string const& help) {
+    add_whole(app, "--frames", frames, help, 1, 100'000);
 }
 
 void add_path(CLI::App& app, std::string const& name, std::string const& value, std::filesystem::path& path,
@@ -147,6 +154,7 @@ public:
         app_.require_subcommand(1);
         add_fly();
         add_render();
+        add_reference();
         add_terrain();
         add_bench();
         add_compare();
@@ -216,6 +224,37 @@ private:
     }
 
     void set_formats(PictureFormats formats) { render_.png = formats.png, render_.exr = formats.exr; }
+
+    void add_reference() {
+        CLI::App& app = *app_.add_subcommand("reference", "Path-traces each view on the CPU: linear radiance and its "
+                                                          "variance as EXR");
+        add_views(app, reference_.views);
+        add_whole(app, "--samples", reference_.samples, "paths for each pixel, in passes of 256; 4096 unless given", 2, 1 << 30);
+        add_value(
+            app, "--noise", "X", [this](std::string const& t) { reference_.noise = parse_number("--noise", t, 1e-6, 1); },
+            "done when the HDR-FLIP between two halves of the samples is at most this; --samples is then the limit");
+        add_value(
+            app, "--orders", "K|all",
+            [this](std::string const& t) {
+                reference_.orders = t == "all" ? 0 : static_cast<int>(parse_integer("--orders", t, 1, 1'000'000));
+            },
+            "events in air or on ground between sun and camera at most; all unless given");
+        add_value(
+            app, "--sun", "disc|point",
+            [this](std::string const& t) { reference_.point_sun = parse_choice("--sun", t, {"disc", "point"}) == 1; },
+            "the light of a disc of the sun's angular radius, or of its centre; disc unless given");
+        add_value(
+            app, "--seed", "N",
+            [this](std::string const& t) {
+                reference_.seed = static_cast<std::uint64_t>(parse_integer("--seed", t, 0, 1L << 62));
+            },
+            "1 unless given; the same picture for any number of threads");
+        add_whole(app, "--threads", reference_.threads, "one for each core unless given", 1, 1024);
+        add_size(app, reference_.size, "320x180");
+        add_path(app, "--out", "DIR", reference_.out, "folder; out/reference unless given");
+        app.add_flag("--resume", reference_.resume, "goes on where an interrupted run stopped");
+        app.callback([this] { command_ = reference_; });
+    }
 
     void add_terrain() {
         CLI::App& app = *app_.add_subcommand("terrain", "Writes an alpine glTF terrain, the same for the same options");
@@ -296,6 +335,7 @@ private:
     CLI::App app_;
     FlyOptions fly_;
     RenderOptions render_;
+    ReferenceOptions reference_;
     TerrainCommandOptions terrain_;
     BenchOptions bench_;
     CompareOptions compare_;

@@ -13,8 +13,8 @@ struct TextToPrint {
     std::string text;
 };
 
-using Command = std::variant<TextToPrint, FlyOptions, RenderOptions, TerrainCommandOptions, BenchOptions,
-                             CompareOptions, EvaluateOptions, DevicesOptions>;
+using Command = std::variant<TextToPrint, FlyOptions, RenderOptions, ReferenceOptions, CompareOptions, EvaluateOptions,
+                             TerrainCommandOptions, BenchOptions, DevicesOptions>;
 
 /// `arguments` without the program's name. Throws Error(wrong_use), one line with what is wrong and what to do. Whether
 /// the settings of `--set` exist is for apply_overrides to say.

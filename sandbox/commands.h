@@ -89,6 +89,19 @@ struct TerrainCommandOptions {
     std::filesystem::path out = "out/terrain/terrain.gltf";
 };
 
+struct ReferenceOptions {
+    std::vector<std::filesystem::path> views; ///< at least one
+    int samples = 4096; ///< paths for each pixel, at most where `noise` is given; rounded up to whole passes
+    double noise = 0;   ///< HDR-FLIP between two halves at which a view is done; 0: after all samples
+    int orders = 0;     ///< events between sun and camera; 0: any number
+    bool point_sun = false;
+    std::uint64_t seed = 1;
+    int threads = 0; ///< 0: one for each core
+    Extent size{320, 180};
+    std::filesystem::path out = "out/reference";
+    bool resume = false;
+};
+
 struct DevicesOptions {};
 
 /// Each returns the exit code, and throws Error.
@@ -98,6 +111,7 @@ int bench(BenchOptions const& options);
 int compare(CompareOptions const& options);
 int evaluate(EvaluateOptions const& options);
 int terrain(TerrainCommandOptions const& options);
+int reference(ReferenceOptions const& options);
 int devices(DevicesOptions const& options);
 
 } // namespace alpenglow

@@ -1,13 +1,16 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/progress.h"
+#include "image/compare.h"
 #include "image/exr.h"
+#include "image/flip.h"
 #include "reference/picture.h"
 #include "sandbox/commands.h"
 #include "sandbox/traced_view.h"
 
 #include <atomic>
 #include <csignal>
+#include <cstring>
 #include <fmt/format.h>
 #include <mutex>
 
@@ -35,9 +38,128 @@ struct Noise {
 Noise measure_noise(TracedPicture const& picture) {
     FloatImage const a = to_image(picture, [&](std::size_t i) { return picture.half(i, 0); });
     FloatImage const b = to_image(picture, [&](std::size_t i) { return picture.half(i, 1); });
-    return {compute_hdr_flip(a, b).mean, compare_radiance(b, a).rmse};
+    return {compute_hdr_flip(a, b).mean, compare(a, b).rmse};
 }
 
+std::string orders_text(int orders) { return orders == 0 ? "all" : std::to_string(orders); }
+
+/// What decides the picture: a state file of another recipe is of another picture.
+std::string recipe(View const& view, ReferenceOptions const& options) {
+    return fmt::format("{}seed {}, orders {}, sun {}, {}x{}\n", view_text(view), options.seed,
+                       orders_text(options.orders), options.point_sun ? "point" : "disc", options.size.width,
+                       options.size.height);
+}
+
+/// One view on its way to a picture, and the file that keeps what is done so far.
+class Tracing {
+public:
+    Tracing(View const& view, ReferenceOptions const& options)
+        : view_(view), options_(options), recipe_(recipe(view, options)),
+          traced_(view, options.point_sun ? SunShape::point : SunShape::disc, options.orders),
+          picture_(options.size) {
+        if (options.resume && std::filesystem::exists(state_file())) restore();
+    }
+
+    /// False where the user interrupted it.
+    bool finish() {
+        int const most = (options_.samples + PASS_PATHS - 1) / PASS_PATHS;
+        Progress progress("tracing " + view_.name, static_cast<std::size_t>(most) * options_.size.height);
+        std::atomic<std::size_t> rows = static_cast<std::size_t>(picture_.passes()) * options_.size.height;
+        std::mutex mutex;
+        auto const row_done = [&] {
+            std::size_t const done = ++rows;
+            std::lock_guard const lock(mutex);
+            progress.update(done, note_);
+        };
+        while (picture_.passes() < most && !quiet_enough()) {
+            if (!picture_.add_pass(traced_.tracer(), traced_.camera(), options_.seed, options_.threads, row_done,
+                                   &interrupted)) {
+                return false;
+            }
+            save();
+        }
+        write();
+        return true;
+    }
+
+private:
+    std::filesystem::path state_file() const { return options_.out / (view_.name + ".state"); }
+
+    void save() const {
+        std::vector<std::byte> bytes(recipe_.size() + 1);
+        std::memcpy(bytes.data(), recipe_.c_str(), bytes.size());
+        std::vector<std::byte> const state = picture_.state();
+        bytes.insert(bytes.end(), state.begin(), state.end());
+        write_file(state_file(), bytes);
+    }
+
+    void restore() {
+        std::vector<std::byte> const bytes = read_file(state_file());
+        auto const* const text = reinterpret_cast<char const*>(bytes.data());
+        std::size_t const length = strnlen(text, bytes.size());
+        if (std::string_view(text, length) != recipe_) {
+            throw Error(ErrorKind::bad_input, "was made for another view, size, seed or sun", state_file().string(),
+                        "leave --resume out to begin again");
+        }
+        try {
+            picture_.restore(std::span(bytes).subspan(length + 1));
+        } catch (Error const& error) {
+            throw Error(ErrorKind::bad_input, error.what(), state_file().string(), "delete it");
+        }
+    }
+
+    /// Looked at after 4, 8, 12, … passes.
+    bool quiet_enough() {
+        if (options_.noise == 0 || picture_.passes() < 4 || picture_.passes() % 4 != 0) return false;
+        Noise const noise = measure_noise(picture_);
+        note_ = fmt::format("FLIP between halves {:.4f}", noise.flip);
+        return noise.flip <= options_.noise;
+    }
+
+    void write() const {
+        RadianceRecord record;
+        record.radiance = to_image(picture_, [&](std::size_t i) { return picture_.mean(i); });
+        record.variance = to_image(picture_, [&](std::size_t i) { return picture_.variance(i); });
+        Noise const noise = measure_noise(picture_);
+        int const samples = picture_.passes() * PASS_PATHS;
+        record.attributes = {
+            {"command", fmt::format("alpenglow reference {}.json --samples {} --orders {} --size {}x{} --seed {}{}",
+                                    view_.name, samples, orders_text(options_.orders), options_.size.width,
+                                    options_.size.height, options_.seed, options_.point_sun ? " --sun point" : "")},
+            {"seed", std::to_string(options_.seed)},
+            {"samples", std::to_string(samples)},
+            {"passes", std::to_string(picture_.passes())},
+            {"noise_flip", fmt::format("{:.5g}", noise.flip)},
+            {"noise_rmse", fmt::format("{:.5g}", noise.rmse)},
+        };
+        write_exr(options_.out / (view_.name + ".exr"), record);
+        std::filesystem::remove(state_file());
+        fmt::print("{}: {} samples, {:.1f} events each; between halves FLIP {:.4f}, RMSE {:.3g}\n", view_.name, samples,
+                   double(picture_.events()) / (double(samples) * double(options_.size.pixels())), noise.flip,
+                   noise.rmse);
+        std::fflush(stdout);
+    }
+
+    View view_;
+    ReferenceOptions options_;
+    std::string recipe_;
+    TracedView traced_;
+    TracedPicture picture_;
+    std::string note_;
+};
+
 } // namespace
+
+int reference(ReferenceOptions const& options) {
+    std::vector<View> views;
+    for (std::filesystem::path const& file : options.views) views.push_back(load_view(file));
+    require_writable_folder(options.out);
+    std::signal(SIGINT, [](int) { interrupted = true; });
+    for (View const& view : views) {
+        if (Tracing(view, options).finish()) continue;
+        throw Error(ErrorKind::bad_input, "interrupted", view.name, "go on with --resume");
+    }
+    return 0;
+}
 
 } // namespace alpenglow

@@ -14,10 +14,6 @@ namespace {
 
 std::string text(Extent e) { return std::to_string(e.width) + "x" + std::to_string(e.height); }
 
-void require_same_extent(Extent a, Extent b) {
-    if (a != b) throw Error(ErrorKind::bad_input, "pictures of " + text(a) + " and " + text(b) + " can't be compared");
-}
-
 /// The largest difference of a pixel's three colour channels; their sum is added to `sum`.
 int pixel_difference(std::uint8_t const* a, std::uint8_t const* b, std::uint64_t& sum) {
     int largest = 0;
@@ -36,6 +32,12 @@ void place(ByteImage& into, ByteImage const& picture, std::uint32_t left) {
 }
 
 } // namespace
+
+void require_same_extent(Extent a, Extent b) {
+    if (a == b) return;
+    throw Error(ErrorKind::bad_input, "pictures of " + text(a) + " and " + text(b) + " can't be compared", {},
+                "give two of one size");
+}
 
 ByteDifference compare(ByteImage const& a, ByteImage const& b, int tolerance) {
     require_same_extent(a.extent, b.extent);
@@ -75,6 +77,10 @@ FloatDifference compare(FloatImage const& a, FloatImage const& b) {
     result.rmse = std::sqrt(squares / values);
     if (!finite) result.largest = result.mean = result.rmse = std::numeric_limits<double>::infinity();
     return result;
+}
+
+bool is_finite_color(float const* rgb) {
+    return std::isfinite(rgb[0]) && std::isfinite(rgb[1]) && std::isfinite(rgb[2]);
 }
 
 std::size_t count_non_finite(FloatImage const& image) {

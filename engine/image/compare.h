@@ -4,6 +4,9 @@
 
 namespace alpenglow {
 
+/// Throws Error(bad_input), which names both.
+void require_same_extent(Extent a, Extent b);
+
 /// How far two 8-bit pictures are apart; alpha is left out. In steps of 1/255.
 struct ByteDifference {
     int largest = 0;            ///< over all pixels and colour channels
@@ -25,6 +28,9 @@ struct FloatDifference {
 };
 
 FloatDifference compare(FloatImage const& a, FloatImage const& b);
+
+/// Whether red, green and blue of a pixel are neither NaN nor infinite.
+bool is_finite_color(float const* rgb);
 
 /// The number of pixels with a colour channel or an alpha that is NaN or infinite.
 std::size_t count_non_finite(FloatImage const& image);

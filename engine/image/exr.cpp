@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "image/exr_streams.h"
 
 #include <algorithm>
 #include <array>
@@ -13,7 +14,6 @@
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
-#include <OpenEXR/ImfIO.h>
 #include <OpenEXR/ImfInputFile.h>
 #include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfStandardAttributes.h>
@@ -27,51 +27,9 @@ constexpr int LARGEST_SIDE = 32768;
 constexpr std::size_t MOST_PIXELS = std::size_t{1} << 26;
 constexpr std::size_t PIXEL_BYTES = 4 * sizeof(float);
 constexpr std::array<char const*, 4> CHANNELS{"R", "G", "B", "A"};
-constexpr char const* WHOLE_FILE = "give a whole EXR file";
 std::string const VARIANCE = "variance."; ///< before the channels' letters
 
 using TextAttributes = std::map<std::string, std::string>;
-
-class MemoryWriter : public Imf::OStream {
-public:
-    MemoryWriter() : OStream("memory") {}
-
-    void write(char const* data, int size) override {
-        std::size_t const end = position_ + static_cast<std::size_t>(size);
-        if (end > bytes_.size()) bytes_.resize(end);
-        std::memcpy(bytes_.data() + position_, data, static_cast<std::size_t>(size));
-        position_ = end;
-    }
-    std::uint64_t tellp() override { return position_; }
-    void seekp(std::uint64_t position) override { position_ = position; }
-
-    std::vector<std::byte> take() { return std::move(bytes_); }
-
-private:
-    std::vector<std::byte> bytes_;
-    std::size_t position_ = 0;
-};
-
-class MemoryReader : public Imf::IStream {
-public:
-    explicit MemoryReader(std::span<std::byte const> bytes) : IStream("memory"), bytes_(bytes) {}
-
-    bool read(char* data, int size) override {
-        auto const wanted = static_cast<std::size_t>(size);
-        if (position_ > bytes_.size() || wanted > bytes_.size() - position_) {
-            throw Error(ErrorKind::bad_input, "EXR file is cut short", {}, WHOLE_FILE);
-        }
-        std::memcpy(data, bytes_.data() + position_, wanted);
-        position_ += wanted;
-        return position_ < bytes_.size();
-    }
-    std::uint64_t tellg() override { return position_; }
-    void seekg(std::uint64_t position) override { position_ = position; }
-
-private:
-    std::span<std::byte const> bytes_;
-    std::uint64_t position_ = 0;
-};
 
 bool has_alpha(FloatImage const& image) {
     for (std::size_t i = 3; i < image.rgba.size(); i += 4) {
@@ -198,7 +156,7 @@ void check_attribute_sizes(std::span<std::byte const> bytes) {
         std::memcpy(&size, &bytes[at], sizeof size); // little endian, as this machine is
         at += sizeof size;
         if (size > bytes.size() - at)
-            throw Error(ErrorKind::bad_input, "EXR file is cut short within its header", {}, WHOLE_FILE);
+            throw Error(ErrorKind::bad_input, "EXR file is cut short within its header", {}, WHOLE_EXR_NEEDED);
         at += size;
     }
 }
@@ -224,7 +182,7 @@ template <typename Read> auto decode(std::span<std::byte const> bytes, Read read
     } catch (std::bad_alloc const&) {
         throw Error(ErrorKind::bad_input, "EXR picture does not fit into memory", {}, "use a smaller one");
     } catch (std::exception const& error) {
-        throw Error(ErrorKind::bad_input, "EXR picture can't be decoded: " + first_line(error), {}, WHOLE_FILE);
+        throw Error(ErrorKind::bad_input, "EXR picture can't be decoded: " + first_line(error), {}, WHOLE_EXR_NEEDED);
     }
 }
 

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "image/color.h"
+#include "image/compare.h"
 #include "image/flip_color.h"
 #include "image/flip_filters.h"
 #include "image/flip_tone.h"
@@ -18,13 +19,11 @@ namespace {
 
 using namespace flip;
 
-bool is_finite(float const* rgb) { return std::isfinite(rgb[0]) && std::isfinite(rgb[1]) && std::isfinite(rgb[2]); }
-
 /// Each colour channel through the display's curve, to 0..1 in linear light; black where a pixel is not finite.
 template <typename Curve> FloatImage displayed(FloatImage image, Curve curve) {
     for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
         float* const rgb = &image.rgba[i];
-        bool const finite = is_finite(rgb);
+        bool const finite = is_finite_color(rgb);
         for (std::size_t k = 0; k < 3; ++k) rgb[k] = finite ? curve(rgb[k]) : 0;
     }
     return image;
@@ -61,7 +60,7 @@ Seen see(Filters const& filters, FloatImage const& image) {
     return seen;
 }
 
-/// The colour's error, raised where an edge or a point is in one picture only (section 4.3 of the paper of 2020).
+/// The colour's error, raised where an edge or a point is in one picture only.
 float error_of(Seen const& a, Seen const& b, std::size_t i) {
     float const edge = std::abs(a.features.edges.values[i] - b.features.edges.values[i]);
     float const point = std::abs(a.features.points.values[i] - b.features.points.values[i]);
@@ -77,13 +76,13 @@ std::vector<float> error_map(Filters const& filters, FloatImage const& reference
 }
 
 void require_comparable(Extent reference, Extent test) {
-    if (reference != test || reference.pixels() == 0)
-        throw Error(ErrorKind::bad_input, "FLIP needs two pictures of one size");
+    require_same_extent(test, reference);
+    if (reference.pixels() == 0) throw Error(ErrorKind::bad_input, "FLIP needs pictures with pixels");
 }
 
 void mark_non_finite(FlipResult& result, FloatImage const& reference, FloatImage const& test) {
     for (std::size_t i = 0; i < result.error.size(); ++i) {
-        if (!is_finite(&reference.rgba[i * 4]) || !is_finite(&test.rgba[i * 4])) result.error[i] = 1;
+        if (!is_finite_color(&reference.rgba[i * 4]) || !is_finite_color(&test.rgba[i * 4])) result.error[i] = 1;
     }
 }
 

@@ -33,10 +33,9 @@ struct ExposureRange {
 };
 
 /// What HDR-FLIP looks at: from the exposure at which the picture's largest luminance comes out at 0.85 of the display
-/// to the one at which its median does, a picture for each stop and at least two (section 3 of the paper below). A
-/// median below 2^-23 of the largest counts as that, so that black sky does not ask for exposures without end; a
-/// picture without light has the single exposure 0. Pixels that are not finite count as black, and so does what is
-/// negative.
+/// to the one at which its median does, a picture for each stop and at least two. A median below 2^-23 of the largest
+/// counts as that, so that black sky does not ask for exposures without end; a picture without light has the single
+/// exposure 0. Pixels that are not finite count as black, and so does what is negative.
 ExposureRange flip_exposures(FloatImage const& reference);
 
 struct HdrFlipResult : FlipResult {

@@ -11,7 +11,7 @@ namespace alpenglow {
 
 namespace {
 
-/// Every 17th of magma's 256 colours; between them it is straight to within 2/255.
+/// Every 17th of magma's 256 colours; between them it is straight to within 3/255.
 constexpr std::array<std::uint32_t, 16> MAGMA{0x000004, 0x0b0924, 0x20114b, 0x3b0f70, 0x57157e, 0x721f81,
                                               0x8c2981, 0xa8327d, 0xc43c75, 0xde4968, 0xf1605d, 0xfa7f5e,
                                               0xfe9f6d, 0xfebf84, 0xfddea0, 0xfcfdbf};
@@ -43,8 +43,8 @@ void draw_numbers(ByteImage& picture, int top, int scale) {
     int const width = static_cast<int>(picture.extent.width);
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         int const text = text_width(numbers[i], scale), centre = static_cast<int>(i) * width / 5;
-        draw_text(picture, std::clamp(centre - text / 2, 0, std::max(width - text, 0)), top, numbers[i], TEXT_COLOR,
-                  scale);
+        int const left = std::clamp(centre - text / 2, GAP, std::max(width - text - GAP, GAP));
+        draw_text(picture, left, top, numbers[i], TEXT_COLOR, scale);
     }
 }
 

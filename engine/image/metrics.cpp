@@ -1,21 +1,15 @@
 #include "image/metrics.h"
 
 #include "core/error.h"
+#include "image/compare.h"
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <vector>
 
 namespace alpenglow {
 
 namespace {
-
-std::string text(Extent e) { return std::to_string(e.width) + "x" + std::to_string(e.height); }
-
-bool is_finite(float const* rgb) {
-    return std::all_of(rgb, rgb + 3, [](float v) { return std::isfinite(v); });
-}
 
 struct Sums {
     std::size_t pixels = 0; ///< finite in both
@@ -42,7 +36,7 @@ Sums sum_up(FloatImage const& test, FloatImage const& reference) {
     sums.errors.reserve(3 * reference.extent.pixels());
     for (std::size_t i = 0; i < reference.rgba.size(); i += 4) {
         float const *const a = &test.rgba[i], *const b = &reference.rgba[i];
-        if (is_finite(a) && is_finite(b)) sums.add(a, b);
+        if (is_finite_color(a) && is_finite_color(b)) sums.add(a, b);
     }
     return sums;
 }
@@ -62,11 +56,7 @@ std::optional<double> ratio(double numerator, double denominator) {
 } // namespace
 
 Metrics measure(FloatImage const& test, FloatImage const& reference, std::optional<double> peak) {
-    if (test.extent != reference.extent) {
-        throw Error(ErrorKind::bad_input,
-                    "pictures of " + text(test.extent) + " and " + text(reference.extent) + " can't be compared", {},
-                    "give two of one size");
-    }
+    require_same_extent(test.extent, reference.extent);
     if (reference.extent.pixels() == 0) throw Error(ErrorKind::bad_input, "pictures without pixels can't be compared");
 
     Sums sums = sum_up(test, reference);

@@ -34,15 +34,30 @@ double integrate_path(double r, double mu, double scale_height) {
     return sum;
 }
 
-/// Weights of the polynomial through `N` even nodes at 0, 1, …, N - 1.
-template <int N> std::array<double, N> lagrange_weights(double x) {
-    std::array<double, N> weights;
+/// 1 / product of (i - k) over k != i, for even nodes at 0, 1, …, N - 1.
+template <int N> constexpr std::array<double, N> lagrange_factors() {
+    std::array<double, N> factors{};
     for (int i = 0; i < N; ++i) {
-        double weight = 1;
-        for (int k = 0; k < N; ++k) {
-            if (k != i) weight *= (x - k) / (i - k);
-        }
-        weights[static_cast<std::size_t>(i)] = weight;
+        double product = 1;
+        for (int k = 0; k < N; ++k) product *= k != i ? i - k : 1;
+        factors[static_cast<std::size_t>(i)] = 1 / product;
+    }
+    return factors;
+}
+
+/// Weights of the polynomial through `N` such nodes.
+template <int N> std::array<double, N> lagrange_weights(double x) {
+    static constexpr std::array<double, N> factors = lagrange_factors<N>();
+    std::array<double, N> weights;
+    double below = 1; // product of (x - k) for k < i
+    for (std::size_t i = 0; i < N; ++i) {
+        weights[i] = factors[i] * below;
+        below *= x - double(i);
+    }
+    double above = 1;
+    for (std::size_t i = N; i-- > 0;) {
+        weights[i] *= above;
+        above *= x - double(i);
     }
     return weights;
 }

@@ -23,8 +23,8 @@ bool normalize_sum(std::vector<double>& weights) {
 
 } // namespace
 
-FirstFlight::FirstFlight(Medium const& medium, OpticalDepth const& depth, Sunlight const& sun, Ray const& ray,
-                         double from, double to)
+FirstFlight::FirstFlight(Medium const& medium, OpticalDepth const& depth, Sunlight const& sun,
+                         LightGuide const& guide, Ray const& ray, double from, double to)
     : ray_(ray), depth_(depth, ray), start_(depth_.at(from)) {
     double const closest = std::clamp(-ray.along, from, to);
     add_cells(closest, from, medium.radius);
@@ -35,7 +35,7 @@ FirstFlight::FirstFlight(Medium const& medium, OpticalDepth const& depth, Sunlig
     double const first = edges_[1] - edges_[0];
     for (double const share : {0.5, 0.25, 0.1, 0.03}) edges_.insert(edges_.begin() + 1, from + share * first);
 
-    std::vector<double> const weights = cell_light(medium, sun);
+    std::vector<double> const weights = cell_light(medium, sun, guide);
     cumulative_.push_back(0);
     for (double const w : weights) cumulative_.push_back(cumulative_.back() + w);
     cumulative_.back() = 1;
@@ -57,9 +57,10 @@ void FirstFlight::add_cells(double from, double to, double radius) {
 }
 
 /// Shares of the choices for each cell, from its middle.
-std::vector<double> FirstFlight::cell_light(Medium const& medium, Sunlight const& sun) const {
+std::vector<double> FirstFlight::cell_light(Medium const& medium, Sunlight const& sun,
+                                            LightGuide const& guide) const {
     double const cosine = dot(ray_.direction, sun.source().to_sun);
-    std::vector<double> once, all;
+    std::vector<double> once, bright, plain;
     for (std::size_t i = 1; i < edges_.size(); ++i) {
         double const middle = 0.5 * (edges_[i - 1] + edges_[i]), width = std::max(0.0, edges_[i] - edges_[i - 1]);
         double const altitude = ray_.radius_at(middle) - medium.radius;
@@ -71,15 +72,16 @@ std::vector<double> FirstFlight::cell_light(Medium const& medium, Sunlight const
         }
         glm::dvec3 const seen = exp(start_ - depth_.at(middle)) * width;
         once.push_back(mean(seen * towards_camera * sun.unshadowed(ray_.at(middle))));
-        all.push_back(mean(seen * scattering));
+        plain.push_back(mean(seen * scattering) + 1e-300 * width);
+        bright.push_back(plain.back() * guide.brightness(ray_.at(middle)));
     }
-    if (!normalize_sum(all)) { // no scattering, or no light at all gets here
-        for (std::size_t i = 1; i < edges_.size(); ++i) all[i - 1] = edges_[i] - edges_[i - 1];
-        normalize_sum(all);
+    normalize_sum(plain);
+    normalize_sum(bright);
+    double const once_share = normalize_sum(once) ? 0.4 : 0;
+    for (std::size_t i = 0; i < plain.size(); ++i) {
+        plain[i] = 0.1 * plain[i] + (0.9 - once_share) * bright[i] + once_share * once[i];
     }
-    if (!normalize_sum(once)) return all;
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = 0.5 * (all[i] + once[i]);
-    return all;
+    return plain;
 }
 
 FirstFlight::Choice FirstFlight::choose(double u) const {

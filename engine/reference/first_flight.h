@@ -1,5 +1,6 @@
 #pragma once
 
+#include "reference/light_guide.h"
 #include "reference/medium.h"
 #include "reference/optical_depth.h"
 #include "reference/sunlight.h"
@@ -9,8 +10,8 @@
 namespace alpenglow {
 
 /// Where a camera's ray meets the air for the first time: always somewhere along it, however thin the air. The density
-/// of the choice is constant in each of a few dozen cells, half of it as the sunlight that is scattered once to the
-/// camera, half as all that is scattered; the weight makes up for what it is not.
+/// of the choice is constant in each of a few dozen cells: partly as the sunlight that is scattered once to the camera,
+/// partly as what is scattered where the air is bright; the weight makes up for what it is not.
 class FirstFlight {
 public:
     struct Choice {
@@ -19,8 +20,8 @@ public:
     };
 
     /// Between two distances inside the medium, with no ground between. `ray` must outlive this.
-    FirstFlight(Medium const& medium, OpticalDepth const& depth, Sunlight const& sun, Ray const& ray, double from,
-                double to);
+    FirstFlight(Medium const& medium, OpticalDepth const& depth, Sunlight const& sun, LightGuide const& guide,
+                Ray const& ray, double from, double to);
 
     /// For a number in (0, 1).
     Choice choose(double u) const;
@@ -29,7 +30,7 @@ public:
 
 private:
     void add_cells(double from, double to, double radius);
-    std::vector<double> cell_light(Medium const& medium, Sunlight const& sun) const;
+    std::vector<double> cell_light(Medium const& medium, Sunlight const& sun, LightGuide const& guide) const;
 
     Ray const& ray_;
     DepthAlong depth_;

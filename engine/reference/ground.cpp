@@ -1,7 +1,7 @@
 #include "reference/ground.h"
 
+#include "reference/planet_body.h"
 #include "reference/terrain_mesh.h"
-#include "surface/planet_look.glsl"
 
 #include <algorithm>
 #include <cmath>
@@ -61,16 +61,13 @@ GroundPoint Ground::planet_point(glm::dvec3 const& origin, glm::dvec3 const& dir
     point.position = unit * (planet_.radius * (1 + PLANET_OFFSET));
     point.facing = point.shading = unit;
     if (!(pixel_angle > 0) || planet_.look == GroundLook::uniform) {
-        point.surface = shader::make_surface(glm::vec3(planet_.ground_albedo), 0.0f, 1.0f, 0.0f);
+        point.surface = shader_double::make_surface(planet_.ground_albedo, 0.0, 1.0, 0.0);
         point.lambertian = true;
         return point;
     }
     double const facing = std::max(glm::dot(unit, -direction), LEAST_FACING);
-    double const footprint = pixel_angle * distance / (std::sqrt(facing) * planet_.radius);
-    glm::vec3 const in_period(glm::mod(reached, glm::dvec3(GROUND_PERIOD)));
-    shader::GroundLookAt const look = shader::planet_look(glm::vec3(unit), in_period, static_cast<float>(footprint),
-                                                          static_cast<float>(planet_.radius));
-    point.surface = shader::make_surface(look.albedo, 0.0f, look.roughness);
+    BodyLook const look = look_of_body(planet_, reached, pixel_angle * distance / std::sqrt(facing));
+    point.surface = shader_double::make_surface(look.albedo, 0.0, look.roughness);
     return point;
 }
 

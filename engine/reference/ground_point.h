@@ -1,20 +1,19 @@
 #pragma once
 
-#include "surface/brdf.glsl"
-
-#include <glm/glm.hpp>
+#include "reference/surface_in_double.h"
 
 namespace alpenglow {
 
 /// What a ray meets: a place on the planet's body or on a scene's triangle, seen from the ray's side.
 struct GroundPoint {
-    double distance = 0;         ///< [m] along the ray, to the surface itself
-    glm::dvec3 position{0};      ///< world [m], moved off the surface along `facing`, so that rays from here don't meet it again
+    double distance = 0; ///< [m] along the ray, to the surface itself
+    /// World [m], moved off the surface along `facing`, so that rays from here don't meet it again.
+    glm::dvec3 position{0};
     glm::dvec3 facing{0, 0, 1};  ///< unit, geometric normal on the ray's side
     glm::dvec3 shading{0, 0, 1}; ///< unit, from vertex normals and normal map; a bump may lean away from the ray
-    shader::Surface surface{};
-    bool lambertian = false;     ///< `surface.diffuse` alone, with no gloss over it
-    glm::dvec3 emission{0};      ///< radiance, relative to the sun's irradiance
+    shader_double::Surface surface{};
+    bool lambertian = false; ///< `surface.diffuse` alone, with no gloss over it
+    glm::dvec3 emission{0};  ///< radiance, relative to the sun's irradiance
 };
 
 } // namespace alpenglow

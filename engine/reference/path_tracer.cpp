@@ -11,8 +11,14 @@ namespace alpenglow {
 namespace {
 
 constexpr std::size_t MOST_COMPONENTS = 16;
+constexpr double LED_SHARE = 0.5; ///< of the turns in air that go where light comes from
+constexpr double THIN = 0.2; ///< share of a flight's light that gets through, above which its collision is forced
 
 double sum(glm::dvec3 const& color) { return color.x + color.y + color.z; }
+
+bool is_black(GroundPoint const& point) {
+    return point.lambertian && point.surface.diffuse == glm::dvec3(0) && point.emission == glm::dvec3(0);
+}
 
 /// Which of three channels a number in (0, 1) means, each as likely as its share of the light.
 int choose_channel(glm::dvec3 const& light, double u) {
@@ -28,14 +34,15 @@ struct PathTracer::Path {
     glm::dvec3 direction{0};  ///< unit, of travel away from the camera
     glm::dvec3 throughput{1}; ///< in air: before the collision's scattering coefficient [m]
     PathNumbers numbers;
-    double start = 1;         ///< of the throughput's sum, for Russian roulette
+    double first_value = 0;   ///< light that its first event promised, for Russian roulette
     int events = 0;
     glm::dvec3 radiance{0};
 };
 
 PathTracer::PathTracer(Medium const& medium, Ground const& ground, LightSource const& light, Options const& options)
     : medium_(medium), depth_(medium), tracking_(medium), ground_(&ground),
-      sun_(light, depth_, ground, medium.top_radius()), options_(options) {
+      sun_(light, depth_, ground, medium.top_radius()), guide_(medium, sun_), led_flight_(medium, guide_),
+      options_(options) {
     if (medium.components.size() > MOST_COMPONENTS) {
         throw Error(ErrorKind::bad_input, "the air has more than 16 components");
     }
@@ -54,7 +61,7 @@ PathTracer::Estimate PathTracer::trace(glm::dvec3 const& origin, glm::dvec3 cons
     glm::dvec3 behind(1); // transmittance up to what is behind the air
     std::optional<FirstFlight> flight;
     if (!air.empty() && !medium_.components.empty()) {
-        flight.emplace(medium_, depth_, sun_, ray, air.in, air.out);
+        flight.emplace(medium_, depth_, sun_, guide_, ray, air.in, air.out);
         behind = flight->transmittance();
     }
     auto const finish = [&](Path const& path) {
@@ -82,57 +89,63 @@ PathTracer::Estimate PathTracer::trace(glm::dvec3 const& origin, glm::dvec3 cons
 }
 
 void PathTracer::walk_from_air(Path& path) const {
-    if (!scatter_in_air(path)) return;
-    path.start = sum(path.throughput);
-    walk(path);
+    if (scatter_in_air(path)) walk(path);
 }
 
 void PathTracer::walk_from_ground(Path& path, GroundPoint const& point) const {
-    path.start = sum(path.throughput);
     if (scatter_on_ground(path, point)) walk(path);
 }
 
 /// Takes the sun's light at the path's place, and turns it. False where it ends here.
 bool PathTracer::scatter_in_air(Path& path) const {
     std::size_t const count = medium_.components.size();
-    std::array<glm::dvec3, MOST_COMPONENTS> scattering; // [1/m], times the throughput [m]
+    std::array<glm::dvec3, MOST_COMPONENTS> densities; // scattering coefficients here [1/m]
     glm::dvec3 total(0);
     double const altitude = length(path.place) - medium_.radius;
     for (std::size_t i = 0; i < count; ++i) {
         Component const& component = medium_.components[i];
-        scattering[i] = path.throughput * component.scattering * density(component.profile, altitude);
-        total += scattering[i];
+        densities[i] = component.scattering * density(component.profile, altitude);
+        total += densities[i];
     }
+    if (!survives(path, dot(path.throughput, total) * guide_.brightness(path.place))) return false;
     auto const towards = [&](glm::dvec3 const& direction) {
         glm::dvec3 value(0);
         double const cosine = dot(path.direction, direction);
-        for (std::size_t i = 0; i < count; ++i) {
-            value += scattering[i] * phase_value(medium_.components[i].phase, cosine);
-        }
-        return value;
+        for (std::size_t i = 0; i < count; ++i) value += densities[i] * phase_value(medium_.components[i].phase, cosine);
+        return path.throughput * value;
     };
     ++path.events;
     // One set of numbers for the turn, one for the sun and the flight: the same dimensions for every path.
-    double const chosen = path.numbers.next() * sum(total), u = path.numbers.next(), turn = path.numbers.next();
+    double const choice = path.numbers.next(), u = path.numbers.next(), v = path.numbers.next();
     path.numbers.next_set();
     SunRay const sun = sun_.sample(path.place, path.numbers.next(), path.numbers.next());
     if (sun.irradiance != glm::dvec3(0)) path.radiance += towards(sun.direction) * sun.irradiance;
-    if (path.events == options_.orders || !(sum(total) > 0)) return false;
+    if (path.events == options_.orders) return false;
 
-    std::size_t turning = 0;
-    for (double below = sum(scattering[0]); turning + 1 < count && chosen >= below; below += sum(scattering[turning])) {
-        ++turning;
+    // To where the light comes from, or as the air's constituents turn it.
+    LightGuide::Directions const led(guide_, path.place);
+    double const light = dot(path.throughput, total);
+    glm::dvec3 direction;
+    if (choice < LED_SHARE) {
+        direction = led.sample(u, v);
+    } else {
+        double left = (choice - LED_SHARE) / (1 - LED_SHARE) * light;
+        std::size_t turning = 0;
+        for (; turning + 1 < count; ++turning) {
+            left -= dot(path.throughput, densities[turning]);
+            if (left < 0) break;
+        }
+        direction = around(path.direction, sample_phase_cosine(medium_.components[turning].phase, u), v);
     }
-    double const cosine = sample_phase_cosine(medium_.components[turning].phase, u);
-    glm::dvec3 const direction = around(path.direction, cosine, turn);
     glm::dvec3 const value = towards(direction);
-    path.throughput = value * (sum(total) / sum(value));
+    path.throughput = value / (LED_SHARE * led.density(direction) + (1 - LED_SHARE) * sum(value) / light);
     path.direction = direction;
     return true;
 }
 
 bool PathTracer::scatter_on_ground(Path& path, GroundPoint const& point) const {
     path.place = point.position;
+    if (!survives(path, sum(path.throughput) * guide_.brightness(path.place))) return false;
     path.radiance += path.throughput * point.emission;
     ++path.events;
     glm::dvec3 const to_viewer = -path.direction;
@@ -152,49 +165,71 @@ bool PathTracer::scatter_on_ground(Path& path, GroundPoint const& point) const {
 
 /// Flies from event to event until the path ends.
 void PathTracer::walk(Path& path) const {
-    while (survives(path)) {
+    for (;;) {
         Ray const ray(path.place, path.direction);
-        Span const air = span_inside(ray, medium_.top_radius());
-        double const from = std::max(air.in, 0.0), radius = medium_.radius;
-        bool const meets_planet = ray.along < 0 && ray.closest_squared < radius * radius;
-        double const end = meets_planet ? -ray.along - std::sqrt(radius * radius - ray.closest_squared) : air.out;
-        int const channel = choose_channel(path.throughput, path.numbers.next());
-        std::optional<double> collision;
-        if (end > from) collision = tracking_.fly(ray, from, end, channel, path.numbers);
-        path.numbers.next_set();
-
-        constexpr double infinity = std::numeric_limits<double>::infinity();
-        std::optional<GroundPoint> const ground =
-            ground_->first_hit(path.place, path.direction, collision.value_or(infinity));
-        double const stop = ground ? std::min(ground->distance, air.out) : collision.value_or(air.out);
-        glm::dvec3 transmittance(1);
-        if (stop > from && !medium_.components.empty()) {
-            DepthAlong const depth(depth_, ray);
-            transmittance = exp(depth.at(from) - depth.at(stop));
-        }
-        // The density with which any of the channels would have come this far and, in air, collided here.
-        glm::dvec3 made = path.throughput / sum(path.throughput) * transmittance;
-        if (!ground && collision) made *= medium_.extinction(ray.radius_at(*collision) - radius);
-        path.throughput *= transmittance / sum(made);
-        if (ground) {
-            if (!scatter_on_ground(path, *ground)) return;
-        } else if (collision) {
-            path.place = ray.at(*collision);
-            if (!scatter_in_air(path)) return;
-        } else {
-            path.radiance += path.throughput * sun_.source().background;
+        std::optional<GroundPoint> const ground = ground_->first_hit(path.place, path.direction);
+        if (!fly(path, ray, ground)) {
+            path.radiance += ground ? glm::dvec3(0) : path.throughput * sun_.source().background;
+            if (!ground || !scatter_on_ground(path, *ground)) return;
+        } else if (!scatter_in_air(path)) {
             return;
         }
     }
 }
 
-/// Russian roulette on paths that carry less than a tenth of what they began with.
-bool PathTracer::survives(Path& path) const {
-    double const light = sum(path.throughput), least = 0.1 * path.start;
-    if (!(light > 0)) return false;
-    if (light >= least) return true;
-    if (path.numbers.independent() * least >= light) return false;
-    path.throughput *= least / light;
+/// To the next collision, or through to the ground or out, where it returns false; weighs the throughput by the flight.
+bool PathTracer::fly(Path& path, Ray const& ray, std::optional<GroundPoint> const& ground) const {
+    Span air = span_inside(ray, medium_.top_radius());
+    air.in = std::max(air.in, 0.0);
+    if (ground) air.out = std::min(air.out, ground->distance);
+    if (air.empty() || medium_.components.empty()) {
+        path.numbers.next();
+        path.numbers.next_set();
+        return false;
+    }
+    DepthAlong const depth(depth_, ray);
+    glm::dvec3 const start = depth.at(air.in), through = exp(start - depth.at(air.out));
+    double const share_through = dot(through, path.throughput) / sum(path.throughput);
+    if (share_through < THIN) return fly_tracked(path, ray, air, depth, start);
+
+    bool const leads_nowhere = ground ? is_black(*ground) : sun_.source().background == glm::dvec3(0);
+    double const passing = leads_nowhere ? 0 : share_through, choice = path.numbers.next(), u = path.numbers.next();
+    path.numbers.next_set();
+    if (choice < passing) {
+        path.throughput *= through / passing;
+        return false;
+    }
+    LedFlight::Choice const collision = led_flight_.choose(ray, air.in, air.out, path.throughput, u);
+    path.throughput *= exp(start - depth.at(collision.distance)) / (collision.density * (1 - passing));
+    path.place = ray.at(collision.distance);
+    return true;
+}
+
+/// The same by delta tracking in one channel, weighed by all channels' chances of ending where it did.
+bool PathTracer::fly_tracked(Path& path, Ray const& ray, Span const& air, DepthAlong const& depth,
+                             glm::dvec3 const& start) const {
+    int const channel = choose_channel(path.throughput, path.numbers.next());
+    std::optional<double> const collision = tracking_.fly(ray, air.in, air.out, channel, path.numbers);
+    path.numbers.next_set();
+    glm::dvec3 const transmittance = exp(start - depth.at(collision.value_or(air.out)));
+    glm::dvec3 chance = path.throughput / sum(path.throughput) * transmittance;
+    if (collision) {
+        path.place = ray.at(*collision);
+        chance *= medium_.extinction(ray.radius_at(*collision) - medium_.radius);
+    }
+    path.throughput *= transmittance / sum(chance);
+    return collision.has_value();
+}
+
+/// Russian roulette on paths that promise less than a tenth of what they did at first. `value` is what the path carries
+/// times how bright it is there.
+bool PathTracer::survives(Path& path, double value) const {
+    if (path.events == 0) path.first_value = value;
+    double const least = 0.1 * path.first_value;
+    if (!(value > 0)) return false;
+    if (value >= least) return true;
+    if (path.numbers.independent() * least >= value) return false;
+    path.throughput *= least / value;
     return true;
 }
 

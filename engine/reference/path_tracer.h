@@ -2,6 +2,7 @@
 
 #include "reference/first_flight.h"
 #include "reference/ground.h"
+#include "reference/led_flight.h"
 #include "reference/random.h"
 #include "reference/sunlight.h"
 #include "reference/tracking.h"
@@ -11,10 +12,10 @@ namespace alpenglow {
 /// Radiance along rays by volumetric Monte Carlo without bias: paths start at the camera, take the sun's light at every
 /// event in air and on ground, and end by leaving, by being absorbed, by Russian roulette, or at `orders` events.
 ///
-/// All three channels go along one path. A flight's collision is tracked in a channel that is chosen by the light the
-/// path carries, and weighted by all channels' probabilities of having made it (the balance heuristic of Veach and
+/// All three channels go along one path. Through thick air a flight is tracked in a channel that is chosen by the light
+/// the path carries, and weighted by all channels' probabilities of having made it (the balance heuristic of Veach and
 /// Guibas 1995, as for wavelengths in Wilkie et al. 2014), so that the sum over channels never changes by the choice;
-/// likewise the constituent of the air that turns it.
+/// likewise the constituent of the air that turns it. In thin air the collision is forced, and led to where it is bright.
 class PathTracer {
 public:
     struct Options {
@@ -41,13 +42,17 @@ private:
     bool scatter_in_air(Path& path) const;
     bool scatter_on_ground(Path& path, GroundPoint const& point) const;
     void walk(Path& path) const;
-    bool survives(Path& path) const;
+    bool fly(Path& path, Ray const& ray, std::optional<GroundPoint> const& ground) const;
+    bool fly_tracked(Path& path, Ray const& ray, Span const& air, DepthAlong const& depth, glm::dvec3 const& start) const;
+    bool survives(Path& path, double value) const;
 
     Medium medium_;
     OpticalDepth depth_;
     Tracking tracking_;
     Ground const* ground_;
     Sunlight sun_;
+    LightGuide guide_;
+    LedFlight led_flight_;
     Options options_;
 };
 

@@ -11,7 +11,7 @@ namespace alpenglow {
 
 namespace {
 
-constexpr int PATHS_OF_RAY = 8; ///< of a camera's ray, whose own work is shared by them
+constexpr std::uint32_t PATHS_OF_RAY = 16; ///< of a camera's ray, whose own work is shared by them
 constexpr std::size_t HEADER_BYTES = 4 * sizeof(std::int64_t);
 
 glm::dvec3 ray_direction(Camera const& camera, Extent size, double x, double y) {
@@ -20,21 +20,31 @@ glm::dvec3 ray_direction(Camera const& camera, Extent size, double x, double y) 
     return normalize(camera.world_from_camera * in_camera);
 }
 
+/// The place of a pixel on a curve through the picture that fills each square of 2^n pixels before the next (Morton).
+std::uint64_t curve_place(std::uint32_t x, std::uint32_t y) {
+    std::uint64_t place = 0;
+    for (int bit = 0; bit < 16; ++bit) {
+        place |= std::uint64_t{(x >> bit) & 1} << (2 * bit) | std::uint64_t{(y >> bit) & 1} << (2 * bit + 1);
+    }
+    return place;
+}
+
 } // namespace
 
 PathTracer::Estimate trace_pixel(PathTracer const& tracer, Camera const& camera, Extent size, std::uint32_t x,
                                  std::uint32_t y, std::uint64_t seed, int pass) {
-    std::uint64_t const key = hash(hash(seed, (std::uint64_t{y} << 32) | x), static_cast<std::uint64_t>(pass));
     double const pixel_angle = 2 * std::tan(0.5 * camera.vertical_fov) / size.height;
-    constexpr int rays = PASS_PATHS / PATHS_OF_RAY;
+    std::uint64_t const first_path = curve_place(x, y) * PASS_PATHS;
+    std::uint64_t const key = hash(hash(seed, static_cast<std::uint64_t>(pass)), first_path >> 32);
+    auto const first = static_cast<std::uint32_t>(first_path);
     PathTracer::Estimate mean;
-    for (int i = 0; i < rays; ++i) {
-        PathNumbers numbers(hash(key, 0), static_cast<std::uint32_t>(i));
+    for (std::uint32_t i = 0; i < PASS_PATHS; i += PATHS_OF_RAY) {
+        PathNumbers numbers(hash(key, 0), (first + i) / PATHS_OF_RAY);
         double const u = numbers.next(), v = numbers.next();
         glm::dvec3 const direction = ray_direction(camera, size, x + u, y + v);
-        PathTracer::Estimate const ray = tracer.trace(camera.position, direction, pixel_angle, key,
-                                                      static_cast<std::uint32_t>(i * PATHS_OF_RAY), PATHS_OF_RAY);
-        mean.radiance += ray.radiance / double(rays);
+        PathTracer::Estimate const ray =
+            tracer.trace(camera.position, direction, pixel_angle, key, first + i, PATHS_OF_RAY);
+        mean.radiance += ray.radiance * (double(PATHS_OF_RAY) / PASS_PATHS);
         mean.events += ray.events;
     }
     return mean;

@@ -12,7 +12,8 @@
 
 namespace alpenglow {
 
-/// Paths for each pixel in one pass: spread evenly together, independent of other pixels and passes.
+/// Paths for each pixel in one pass: spread evenly together, and over squares of pixels too, so that neighbours' errors
+/// cancel (Ahmed and Wonka 2020: a sequence in the order of a Morton curve). Passes are independent.
 inline constexpr int PASS_PATHS = 256;
 
 /// The mean over a pixel's square of one pass' paths. Depends on nothing but its arguments.

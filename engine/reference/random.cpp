@@ -35,14 +35,29 @@ constexpr Directions make_directions() {
     return v;
 }
 
-constexpr Directions DIRECTIONS = make_directions();
+/// For each byte of an index, its share of the Sobol number; bits in reversed order, as the scrambling wants them.
+using Shares = std::array<std::array<std::array<std::uint32_t, 4>, 256>, 4>;
 
-std::uint32_t sobol(std::uint32_t index, std::uint32_t dimension) {
-    std::uint32_t x = 0;
-    for (std::uint32_t bit = 0; index != 0; ++bit, index >>= 1) {
-        if (index & 1) x ^= DIRECTIONS[dimension][bit];
+constexpr Shares make_shares() {
+    Directions const directions = make_directions();
+    Shares shares{};
+    for (std::uint32_t byte = 0; byte < 4; ++byte) {
+        for (std::uint32_t i = 0; i < 256; ++i) {
+            for (std::uint32_t d = 0; d < 4; ++d) {
+                std::uint32_t x = 0;
+                for (std::uint32_t bit = 0; bit < 8; ++bit) x ^= (i >> bit) & 1 ? directions[d][byte * 8 + bit] : 0;
+                for (std::uint32_t bit = 0; bit < 32; ++bit) shares[byte][i][d] |= ((x >> bit) & 1) << (31 - bit);
+            }
+        }
     }
-    return x;
+    return shares;
+}
+
+Shares const SHARES = make_shares();
+
+std::uint32_t reversed_sobol(std::uint32_t index, std::uint32_t d) {
+    return SHARES[0][index & 255][d] ^ SHARES[1][(index >> 8) & 255][d] ^ SHARES[2][(index >> 16) & 255][d] ^
+           SHARES[3][index >> 24][d];
 }
 
 std::uint32_t reverse_bits(std::uint32_t x) {
@@ -52,14 +67,15 @@ std::uint32_t reverse_bits(std::uint32_t x) {
     return ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
 }
 
-/// Owen scrambling: each bit is flipped by a hash of the bits above it (Laine and Karras 2011; constants of Burley).
-std::uint32_t scramble(std::uint32_t x, std::uint32_t seed) {
-    x = reverse_bits(x) + seed;
+/// Owen scrambling of a number whose bits are reversed: each bit is flipped by a hash of those that were above it (Laine
+/// and Karras 2011; constants of Burley).
+std::uint32_t scramble_reversed(std::uint32_t x, std::uint32_t seed) {
+    x += seed;
     x ^= x * 0x6c50b47cu;
     x ^= x * 0xb82f1e52u;
     x ^= x * 0xc7afe638u;
     x ^= x * 0x8d22f6e6u;
-    return reverse_bits(x);
+    return x;
 }
 
 } // namespace
@@ -80,12 +96,14 @@ double PathNumbers::next() {
     if (used_ >= SOBOL_NUMBERS) return independent();
     auto const set = static_cast<std::uint64_t>(used_ / 4);
     auto const dimension = static_cast<std::uint32_t>(used_ % 4);
-    if (dimension == 0) set_index_ = scramble(index_, static_cast<std::uint32_t>(hash(key_, 2 * set)));
-    // Bits below the Sobol number's are random too: a path's numbers then stay inside (0, 1).
-    std::uint64_t const seed = hash(key_, (set * 4 + dimension) * 2 + 1);
-    std::uint32_t const high = scramble(sobol(set_index_, dimension), static_cast<std::uint32_t>(seed));
+    if (dimension == 0) {
+        seeds_ = hash(key_, set);
+        // The same scrambling on the index itself shuffles it, within each power of two.
+        place_ = reverse_bits(scramble_reversed(reverse_bits(index_), static_cast<std::uint32_t>(seeds_ >> 32)));
+    }
+    std::uint32_t const seed = static_cast<std::uint32_t>(seeds_) + 0x9e3779b9u * dimension;
     ++used_;
-    return (static_cast<double>(high) + independent()) * 0x1p-32;
+    return (reverse_bits(scramble_reversed(reversed_sobol(place_, dimension), seed * 0x85ebca6bu)) + 0.5) * 0x1p-32;
 }
 
 } // namespace alpenglow

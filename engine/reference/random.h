@@ -8,8 +8,8 @@ namespace alpenglow {
 std::uint64_t hash(std::uint64_t a, std::uint64_t b);
 
 /// The random numbers of one path. The first SOBOL_NUMBERS come from sets of four Sobol dimensions, each set shuffled
-/// and Owen-scrambled by itself (Burley, "Practical Hash-based Owen Scrambling", JCGT 2020): over the indices 0 to
-/// 2^n - 1 of one key they cover the unit cube evenly. Further numbers are independent.
+/// and Owen-scrambled by itself (Burley, "Practical Hash-based Owen Scrambling", JCGT 2020): any 2^n
+/// indices of one key from a multiple of 2^n on cover the unit cube evenly. Further numbers are independent.
 class PathNumbers {
 public:
     static constexpr int SOBOL_NUMBERS = 16;
@@ -30,7 +30,8 @@ private:
     std::uint32_t index_;
     std::uint64_t state_;
     int used_ = 0;
-    std::uint32_t set_index_ = 0; ///< the index as this set of four shuffles it
+    std::uint64_t seeds_ = 0;  ///< of the present set of four
+    std::uint32_t place_ = 0;  ///< the index as this set shuffles it
 };
 
 } // namespace alpenglow

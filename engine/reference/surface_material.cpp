@@ -28,14 +28,15 @@ std::int64_t wrapped(std::int64_t i, std::int64_t size, TextureWrap wrap) {
 }
 
 glm::dvec4 texel(Picture const& picture, Texture const& texture, glm::i64vec2 const& at, bool srgb) {
-    std::int64_t const x = wrapped(at.x, picture.width, texture.wrap_u), y = wrapped(at.y, picture.height, texture.wrap_v);
+    std::int64_t const x = wrapped(at.x, picture.width, texture.wrap_u);
+    std::int64_t const y = wrapped(at.y, picture.height, texture.wrap_v);
     std::uint8_t const* const bytes = &picture.rgba[static_cast<std::size_t>(4 * (y * picture.width + x))];
     glm::dvec4 value;
     for (int i = 0; i < 4; ++i) value[i] = srgb && i < 3 ? linear_from_byte()[bytes[i]] : bytes[i] / 255.0;
     return value;
 }
 
-/// Texels from the first one's corner. Far-off and broken coordinates, which a double can't place within a texel, are 0.
+/// Texels from the first one's corner; 0 for broken coordinates and those too far off to be placed within a texel.
 glm::dvec2 texels_from_uv(Picture const& picture, glm::dvec2 const& uv) {
     constexpr double FARTHEST = 1e9;
     bool const usable = std::abs(uv.x) < FARTHEST && std::abs(uv.y) < FARTHEST;
@@ -104,7 +105,9 @@ glm::dvec4 sample_texture(Scene const& scene, Texture const& texture, TrianglePl
     glm::dvec2 const at = texels_from_uv(picture, uv_at(texture, place));
     if (texture.magnify == TextureFilter::nearest) return texel(picture, texture, glm::i64vec2(glm::floor(at)), srgb);
     glm::dvec2 const corner = glm::floor(at - 0.5), share = at - 0.5 - corner;
-    auto const fetch = [&](int x, int y) { return texel(picture, texture, glm::i64vec2(corner) + glm::i64vec2(x, y), srgb); };
+    auto const fetch = [&](int x, int y) {
+        return texel(picture, texture, glm::i64vec2(corner) + glm::i64vec2(x, y), srgb);
+    };
     return glm::mix(glm::mix(fetch(0, 0), fetch(1, 0), share.x), glm::mix(fetch(0, 1), fetch(1, 1), share.x), share.y);
 }
 
@@ -112,12 +115,12 @@ bool cut_out(Scene const& scene, Material const& material, TrianglePlace const& 
     return material.alpha_mask && base_color_at(scene, material, place).a < material.alpha_cutoff;
 }
 
-shader::Surface surface_at(Scene const& scene, Material const& material, TrianglePlace const& place) {
-    glm::vec3 const color(glm::clamp(glm::dvec3(base_color_at(scene, material, place)), 0.0, 1.0));
+shader_double::Surface surface_at(Scene const& scene, Material const& material, TrianglePlace const& place) {
+    glm::dvec3 const color = glm::clamp(glm::dvec3(base_color_at(scene, material, place)), 0.0, 1.0);
     glm::dvec4 const texture = sample_texture(scene, material.metallic_roughness_texture, place, false);
     double const metalness = std::clamp(material.metallic * texture.b, 0.0, 1.0);
     double const roughness = std::clamp(material.roughness * texture.g, 0.0, 1.0);
-    return shader::make_surface(color, static_cast<float>(metalness), static_cast<float>(roughness));
+    return shader_double::make_surface(color, metalness, roughness);
 }
 
 glm::dvec3 emission_at(Scene const& scene, Material const& material, TrianglePlace const& place) {

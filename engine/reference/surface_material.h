@@ -1,7 +1,7 @@
 #pragma once
 
+#include "reference/surface_in_double.h"
 #include "scene/scene.h"
-#include "surface/brdf.glsl"
 
 #include <array>
 
@@ -20,20 +20,20 @@ struct TrianglePlace {
     }
 };
 
-/// A texture's finest level at the place, filtered as for magnification; `srgb` pictures are made linear texel by texel. White
-/// where there is no texture.
+/// A texture's finest level at the place, filtered as for magnification; `srgb` pictures are made linear texel by
+/// texel. White where there is no texture.
 glm::dvec4 sample_texture(Scene const& scene, Texture const& texture, TrianglePlace const& place, bool srgb);
 
 /// An alpha mask takes the place away.
 bool cut_out(Scene const& scene, Material const& material, TrianglePlace const& place);
 
 /// Colour, metalness and roughness from factors, textures and vertex colours. Occlusion is left to the tracer.
-shader::Surface surface_at(Scene const& scene, Material const& material, TrianglePlace const& place);
+shader_double::Surface surface_at(Scene const& scene, Material const& material, TrianglePlace const& place);
 glm::dvec3 emission_at(Scene const& scene, Material const& material, TrianglePlace const& place);
 
-/// The vertex normals' mean in world space, on `facing`'s side, with the normal map over it: by tangents, or where there are none
-/// by how the texture lies on the triangle. Unit. `facing`: the triangle's unit normal on the viewer's side, which also
-/// stands in where the vertices have no usable normal.
+/// The vertex normals' mean in world space, on `facing`'s side, with the normal map over it: by tangents, or where
+/// there are none by how the texture lies on the triangle. Unit. `facing`: the triangle's unit normal on the viewer's
+/// side, which also stands in where the vertices have no usable normal.
 glm::dvec3 shading_normal(Scene const& scene, Material const& material, TrianglePlace const& place,
                           glm::dmat3 const& world_from_mesh, glm::dvec3 const& facing);
 

@@ -32,8 +32,8 @@ double brightest(glm::dvec3 const& c) { return std::max({c.x, c.y, c.z}); }
 /// Half for each where there is any diffuse light to speak of: the diffuse lobe also covers what GGX's facets miss.
 double gloss_share(GroundPoint const& point, double viewer_cosine) {
     if (point.lambertian) return 0;
-    glm::dvec3 const gloss(shader::fresnel(point.surface.specular, static_cast<float>(viewer_cosine)));
-    double const bright = brightest(gloss), diffuse = brightest(glm::dvec3(point.surface.diffuse)) * (1 - bright);
+    glm::dvec3 const gloss = shader_double::fresnel(point.surface.specular, viewer_cosine);
+    double const bright = brightest(gloss), diffuse = brightest(point.surface.diffuse) * (1 - bright);
     return std::clamp(bright / std::max(bright + diffuse, 1e-9), 0.1, 0.9);
 }
 
@@ -45,7 +45,8 @@ Lobes lobes_of(GroundPoint const& point, glm::dvec3 const& to_viewer) {
     return {frame, viewer, point.surface.alpha, gloss_share(point, viewer.z)};
 }
 
-/// Of facet normals that the viewer sees (Heitz 2018, "Sampling the GGX Distribution of Visible Normals", Eq. 3) [1/sr].
+/// Of facet normals that the viewer sees (Heitz 2018, "Sampling the GGX Distribution of Visible Normals", Eq. 3)
+/// [1/sr].
 double Lobes::facet_density(glm::dvec3 const& facet) const {
     if (facet.z <= 0) return 0;
     double const a2 = alpha * alpha, across = facet.x * facet.x + facet.y * facet.y;
@@ -90,8 +91,8 @@ double density(Lobes const& lobes, glm::dvec3 const& viewer, glm::dvec3 const& l
 glm::dvec3 reflect(GroundPoint const& point, glm::dvec3 const& to_viewer, glm::dvec3 const& to_light) {
     double const cosine = glm::dot(point.shading, to_light);
     if (cosine <= 0 || glm::dot(point.facing, to_light) <= 0) return glm::dvec3(0);
-    if (point.lambertian) return glm::dvec3(point.surface.diffuse) * (cosine / PI);
-    return glm::dvec3(shader::reflect_light(point.surface, glm::vec3(point.shading), glm::vec3(to_viewer), glm::vec3(to_light)));
+    if (point.lambertian) return point.surface.diffuse * (cosine / PI);
+    return shader_double::reflect_light(point.surface, point.shading, to_viewer, to_light);
 }
 
 std::optional<ReflectionSample> sample_reflection(GroundPoint const& point, glm::dvec3 const& to_viewer, double u1,
@@ -101,7 +102,7 @@ std::optional<ReflectionSample> sample_reflection(GroundPoint const& point, glm:
     glm::dvec3 light = sample_cosine(u2, u3);
     if (u1 < lobes.gloss_share) {
         glm::dvec3 const facet = sample_facet(lobes, u2, u3);
-        if (glm::dot(viewer, facet) <= 0) return {};
+        if (glm::dot(viewer, facet) <= 0) return {}; // its back: `density` knows fronts only
         light = glm::reflect(-viewer, facet);
     }
     glm::dvec3 const direction = glm::normalize(lobes.world_from_local * light);

@@ -6,9 +6,10 @@
 
 namespace alpenglow {
 
-/// Reflected radiance for a unit of irradiance across `to_light` [1/sr]: shaders/surface/brdf.glsl times the cosine with
-/// the shading normal. 0 where the light stands below the horizon of the shading or of the geometric normal: what comes
-/// through the surface is no light on it, so that bumps lose what they would scatter through it. Vectors are unit.
+/// Reflected radiance for a unit of irradiance across `to_light` [1/sr]: shaders/surface/brdf.glsl times the cosine
+/// with the shading normal. 0 where the light stands below the horizon of the shading or of the geometric normal: what
+/// comes through the surface is no light on it, so that bumps lose what they would scatter through it. Vectors are
+/// unit.
 glm::dvec3 reflect(GroundPoint const& point, glm::dvec3 const& to_viewer, glm::dvec3 const& to_light);
 
 struct ReflectionSample {

@@ -43,8 +43,8 @@ PlacedPart const& part_of(void* user) { return *static_cast<PlacedPart const*>(u
 
 void let_cut_out_through(RTCFilterFunctionNArguments const* hit) {
     PlacedPart const& part = part_of(hit->geometryUserPtr);
-    TrianglePlace const place = part.place(RTCHitN_primID(hit->hit, hit->N, 0), RTCHitN_u(hit->hit, hit->N, 0),
-                                           RTCHitN_v(hit->hit, hit->N, 0));
+    TrianglePlace const place =
+        part.place(RTCHitN_primID(hit->hit, hit->N, 0), RTCHitN_u(hit->hit, hit->N, 0), RTCHitN_v(hit->hit, hit->N, 0));
     if (cut_out(*part.scene, part.material(), place)) hit->valid[0] = 0;
 }
 
@@ -67,21 +67,22 @@ struct Release {
 void fail_on_error(RTCDevice device) {
     RTCError const error = rtcGetDeviceError(device);
     if (error == RTC_ERROR_NONE) return;
-    throw Error(ErrorKind::bad_input, error == RTC_ERROR_OUT_OF_MEMORY
-                                          ? "the scene's triangles don't fit into the memory of this machine"
-                                          : fmt::format("Embree can't take the scene's triangles (error {})", int(error)));
+    throw Error(ErrorKind::bad_input,
+                error == RTC_ERROR_OUT_OF_MEMORY
+                    ? "the scene's triangles don't fit into the memory of this machine"
+                    : fmt::format("Embree can't take the scene's triangles (error {})", int(error)));
 }
 
 } // namespace
 
 struct TerrainMesh::State {
     Scene const& scene;
-    glm::dmat3 axes;                 ///< world from local, a rotation
-    glm::dvec3 middle{0};            ///< of the local frame, world [m]
-    Box box;                         ///< local [m], with room for the rounding
-    bool has_backs = false;          ///< a single-sided material
+    glm::dmat3 axes;        ///< world from local, a rotation
+    glm::dvec3 middle{0};   ///< of the local frame, world [m]
+    Box box;                ///< local [m], with room for the rounding
+    bool has_backs = false; ///< a single-sided material
     std::vector<PlacedMesh> meshes;
-    std::vector<PlacedPart> parts;   ///< by Embree's geometry number
+    std::vector<PlacedPart> parts; ///< by Embree's geometry number
     std::unique_ptr<RTCDeviceTy, Release> device;
     std::unique_ptr<RTCSceneTy, Release> tree;
 
@@ -137,7 +138,8 @@ void TerrainMesh::State::build_tree() {
     device.reset(rtcNewDevice("threads=1"));
     fail_on_error(device.get());
     tree.reset(rtcNewScene(device.get()));
-    rtcSetSceneFlags(tree.get(), static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
+    rtcSetSceneFlags(tree.get(),
+                     static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
     for (PlacedPart& part : parts) add_geometry(part);
     rtcCommitScene(tree.get());
     fail_on_error(device.get());
@@ -162,8 +164,8 @@ void TerrainMesh::State::add_geometry(PlacedPart& part) {
     rtcReleaseGeometry(geometry);
 }
 
-std::optional<TerrainMesh::State::Clipped> TerrainMesh::State::clip(glm::dvec3 const& origin, glm::dvec3 const& direction,
-                                                                    double longest) const {
+std::optional<TerrainMesh::State::Clipped> TerrainMesh::State::clip(glm::dvec3 const& origin,
+                                                                    glm::dvec3 const& direction, double longest) const {
     glm::dvec3 const start = (origin - middle) * axes, along = direction * axes; // the transpose's products
     double enter = 0, leave = longest;
     for (int i = 0; i < 3; ++i) {
@@ -182,7 +184,8 @@ std::optional<TerrainMesh::State::Clipped> TerrainMesh::State::clip(glm::dvec3 c
     return clipped;
 }
 
-GroundPoint TerrainMesh::State::point_at(RTCHit const& hit, glm::dvec3 const& origin, glm::dvec3 const& direction) const {
+GroundPoint TerrainMesh::State::point_at(RTCHit const& hit, glm::dvec3 const& origin,
+                                         glm::dvec3 const& direction) const {
     PlacedPart const& part = parts[hit.geomID];
     TrianglePlace const place = part.place(hit.primID, hit.u, hit.v);
     glm::dmat4 const& local_from_mesh = part.placed->local_from_mesh;
@@ -214,8 +217,9 @@ TerrainMesh::~TerrainMesh() = default;
 bool TerrainMesh::empty() const { return state_->parts.empty(); }
 
 double TerrainMesh::position_error(double reach, double extent) {
-    // A coordinate is rounded by 2^-24 of its size, on three axes, for the corner and for the ray's start: 2 sqrt(3), below 4.
-    // The intersection rounds differences of them, each as long as the triangle at most where the ray starts on it.
+    // A coordinate is rounded by 2^-24 of its size, on three axes, for the corner and for the ray's start: 2 sqrt(3),
+    // below 4. The intersection rounds differences of them, each as long as the triangle at most where the ray starts
+    // on it.
     constexpr double ROUNDING = 0x1p-24;
     return 4 * ROUNDING * reach + 8 * ROUNDING * extent;
 }

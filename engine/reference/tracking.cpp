@@ -1,5 +1,7 @@
 #include "reference/tracking.h"
 
+#include "reference/shell_walk.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -32,44 +34,24 @@ Tracking::Tracking(Medium const& medium) : medium_(medium) {
         glm::dvec3 const wider = largest_extinction(medium, bottom, next), outer = medium.extinction(next);
         bool const thin = within(wider, all, negligible);
         if (i < steps && (thin || within(wider, outer, ratio))) continue;
-        shells_.push_back({medium.radius + top, largest_extinction(medium, bottom, top)});
+        top_radii_.push_back(medium.radius + top);
+        majorants_.push_back(largest_extinction(medium, bottom, top));
         bottom = top;
     }
 }
 
-std::size_t Tracking::shell_at(double radius) const {
-    auto const above = std::ranges::upper_bound(shells_, radius, {}, &Shell::top_radius);
-    return above == shells_.end() ? shells_.size() - 1 : static_cast<std::size_t>(above - shells_.begin());
-}
-
 std::optional<double> Tracking::fly(Ray const& ray, double from, double to, int channel, PathNumbers& numbers) const {
-    if (shells_.empty()) return std::nullopt;
-    std::size_t shell = shell_at(ray.radius_at(from));
-    double at = from, depth = -std::log(numbers.next());
-    while (at < to) {
-        // Where the ray leaves the shell: down through its bottom, or up through its top.
-        double leave = to;
-        std::size_t next = shell;
-        double const bottom_squared = shell > 0 ? shells_[shell - 1].top_radius * shells_[shell - 1].top_radius : 0;
-        if (ray.along + at < 0 && shell > 0 && ray.closest_squared < bottom_squared) {
-            leave = -ray.along - std::sqrt(bottom_squared - ray.closest_squared);
-            next = shell - 1;
-        } else if (shell + 1 < shells_.size()) {
-            double const top = shells_[shell].top_radius;
-            leave = -ray.along + std::sqrt(std::max(0.0, top * top - ray.closest_squared));
-            next = shell + 1;
-        }
-        double const end = std::min(leave, to), majorant = shells_[shell].majorant[channel];
-        while (depth < majorant * (end - at)) {
+    double depth = -std::log(numbers.next());
+    for (ShellWalk walk(top_radii_, ray, from, to); walk.next();) {
+        double const majorant = majorants_[walk.shell()][channel];
+        double at = walk.begin();
+        while (depth < majorant * (walk.end() - at)) {
             at += depth / majorant;
             double const real = medium_.extinction(ray.radius_at(at) - medium_.radius)[channel];
             if (numbers.independent() * majorant < real) return at;
             depth = -std::log(numbers.independent());
         }
-        depth -= majorant * std::max(0.0, end - at);
-        at = std::max(at, end);
-        if (leave >= to) break;
-        shell = next;
+        depth -= majorant * (walk.end() - at);
     }
     return std::nullopt;
 }

@@ -19,14 +19,9 @@ public:
     std::optional<double> fly(Ray const& ray, double from, double to, int channel, PathNumbers& numbers) const;
 
 private:
-    struct Shell {
-        double top_radius;
-        glm::dvec3 majorant; ///< [1/m]
-    };
-    std::size_t shell_at(double radius) const;
-
     Medium medium_;
-    std::vector<Shell> shells_; ///< from the ground up
+    std::vector<double> top_radii_;     ///< of the shells, from the ground up
+    std::vector<glm::dvec3> majorants_; ///< [1/m]
 };
 
 } // namespace alpenglow

@@ -1,5 +1,5 @@
-// The second C++ compile of the shared text, in double precision, for tests only: `tests/support/air_in_double.h` turns
-// `float` into `double` around it. Literals stay float, so GLM's templates need the scalar functions once more.
+// The second C++ compile of the shared text, in double precision, for tests and the path tracer: `tests/support/air_in_double.h`
+// and `engine/reference/surface_in_double.h` turn `float` into `double` around it. Literals stay float, so GLM's templates need the scalar functions once more.
 #ifndef ALPENGLOW_INTEROP_LANGUAGE_DOUBLE_H
 #define ALPENGLOW_INTEROP_LANGUAGE_DOUBLE_H
 

@@ -2,7 +2,6 @@
 #include "sandbox/command_line.h"
 
 #include "core/error.h"
-#include "support/files.h"
 
 #include <gtest/gtest.h>
 
@@ -120,15 +119,29 @@ TEST(CommandLine, evaluate_takes_lists_of_views_and_known_models) {
     EXPECT_EQ(some.check, "c.md");
     EXPECT_EQ(some.overrides, (std::vector<Override>{{"samples", "64"}}));
     EXPECT_TRUE(some.json);
-    test::expect_error(ErrorKind::wrong_use, {"--model", "'hillaire'", "the models are: default"}, [] { parse("evaluate --model hillaire"); });
-    test::expect_error(ErrorKind::wrong_use, {"--views"}, [] { parse("evaluate --views"); });
+    expect_refused("evaluate --model hillaire", "there is no model 'hillaire' (the models are: default)");
+    expect_refused("evaluate --views", "--views");
+}
+
+TEST(CommandLine, compare_takes_two_pictures) {
+    auto const plain = std::get<CompareOptions>(parse("compare test.exr reference.exr"));
+    EXPECT_EQ(plain.test, "test.exr");
+    EXPECT_EQ(plain.reference, "reference.exr");
+    EXPECT_FALSE(plain.exposure || plain.heatmap || plain.json);
+    auto const full = std::get<CompareOptions>(parse("compare a.png b.png --exposure -2.5 --heatmap h.png --json"));
+    EXPECT_EQ(full.exposure, -2.5);
+    EXPECT_EQ(full.heatmap, "h.png");
+    EXPECT_TRUE(full.json);
+    expect_refused("compare a.exr", "REFERENCE");
+    expect_refused("compare a.exr b.exr c.exr", "c.exr");
+    expect_refused("compare a.exr b.exr --exposure 99", "--exposure");
 }
 
 TEST(CommandLine, every_command_has_help) {
     EXPECT_NE(std::get<TextToPrint>(parse("--help")).text.find("render"), std::string::npos);
     EXPECT_EQ(std::get<TextToPrint>(parse("--version")).text.find("alpenglow "), 0u);
     for (auto const& [command, option] : {std::pair{"fly", "--headless"}, std::pair{"render", "--format"}, std::pair{"terrain", "--seed"},
-                                          std::pair{"bench", "--json"}, std::pair{"evaluate", "--model"}}) {
+                                          std::pair{"bench", "--json"}, std::pair{"compare", "--heatmap"}, std::pair{"evaluate", "--model"}}) {
         std::string const help = std::get<TextToPrint>(parse(std::string(command) + " --help")).text;
         EXPECT_NE(help.find(std::string("alpenglow ") + command), std::string::npos) << help;
         EXPECT_NE(help.find(option), std::string::npos) << help;

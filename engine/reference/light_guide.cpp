@@ -1,0 +1,177 @@
+#include "reference/light_guide.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace alpenglow {
+
+namespace {
+
+constexpr double LEAST = 1e-7;        ///< of the brightest place: none is taken as darker
+constexpr double EVEN_SHARE = 0.15f;  ///< of the directions' choices, made without regard to light
+constexpr int STEPS = 14;             ///< of a gathering ray
+
+double mean(glm::dvec3 const& color) { return (color.x + color.y + color.z) / 3; }
+
+/// Signed squares: x from 0 to 1 for cosines -1 to 1, dense around the horizon.
+double cosine_at(double x) { return (2 * x - 1) * std::abs(2 * x - 1); }
+double place_of_cosine(double cosine) { return 0.5 + 0.5 * std::copysign(std::sqrt(std::abs(cosine)), cosine); }
+
+/// The unit vector across `up` on the sun's side.
+glm::dvec3 sunward(glm::dvec3 const& up, glm::dvec3 const& to_sun) {
+    glm::dvec3 const across = to_sun - dot(to_sun, up) * up;
+    if (dot(across, across) > 1e-12) return normalize(across);
+    glm::dvec3 any, other;
+    make_basis(up, any, other);
+    return any;
+}
+
+/// The bin of a number in [0, 1) among `count` with these cumulative shares, and the place in it.
+struct Pick {
+    int bin;
+    double inside;
+};
+Pick pick(float const* cumulative, int count, double u) {
+    int const bin = static_cast<int>(std::upper_bound(cumulative + 1, cumulative + count, static_cast<float>(u)) -
+                                     cumulative) - 1;
+    double const share = double(cumulative[bin + 1]) - double(cumulative[bin]);
+    return {bin, std::clamp((u - double(cumulative[bin])) / share, 0.0, 1.0)};
+}
+
+} // namespace
+
+LightGuide::LightGuide(Medium const& medium, Sunlight const& sun)
+    : radius_(medium.radius), top_(medium.top), to_sun_(sun.source().to_sun), brightness_(NODES, 1.0) {
+    std::vector<float> bins(NODES * BINS, 1.0f);
+    bool const dark = sun.source().irradiance == glm::dvec3(0) || medium.components.empty();
+    if (!dark) {
+        glm::dvec3 across, other;
+        make_basis(to_sun_, across, other);
+        std::vector<double> direct;
+        for (int node = 0; node < NODES; ++node) {
+            double const x = double(node / SUNS) / (ALTITUDES - 1), cosine = cosine_at(double(node % SUNS) / (SUNS - 1));
+            glm::dvec3 const up = to_sun_ * cosine + across * std::sqrt(1 - cosine * cosine);
+            direct.push_back(mean(sun.unshadowed(up * (radius_ + top_ * x * x))));
+        }
+        double const least = LEAST * *std::ranges::max_element(direct);
+        brightness_ = direct;
+        for (int order = 0; order < 3; ++order) {
+            for (double& value : brightness_) value = std::max(value, least);
+            gather(medium, bins);
+            for (int node = 0; node < NODES; ++node) {
+                double fluence = 0; // bins are radiance times their solid angle
+                for (int bin = 0; bin < BINS; ++bin) fluence += double(bins[node * BINS + bin]);
+                brightness_[node] = direct[node] + fluence;
+            }
+        }
+        for (double& value : brightness_) value = std::max(value, least);
+    }
+    set_shares(bins);
+}
+
+/// For each node and direction, the light that the air along it scatters evenly: radiance times solid angle.
+void LightGuide::gather(Medium const& medium, std::vector<float>& bins) const {
+    glm::dvec3 across, other;
+    make_basis(to_sun_, across, other);
+    for (int node = 0; node < NODES; ++node) {
+        double const x = double(node / SUNS) / (ALTITUDES - 1), cosine = cosine_at(double(node % SUNS) / (SUNS - 1));
+        glm::dvec3 const up = to_sun_ * cosine + across * std::sqrt(1 - cosine * cosine);
+        glm::dvec3 const ahead = sunward(up, to_sun_), aside = cross(up, ahead);
+        glm::dvec3 const place = up * (radius_ + std::max(top_ * x * x, 1.0));
+        for (int bin = 0; bin < BINS; ++bin) {
+            double const s0 = double(bin / COLUMNS) / ROWS, s1 = s0 + 1.0 / ROWS;
+            double const mu = cosine_at(0.5 * (s0 + s1)), phi = M_PI * (bin % COLUMNS + 0.5) / COLUMNS;
+            glm::dvec3 const direction =
+                up * mu + (ahead * std::cos(phi) + aside * std::sin(phi)) * std::sqrt(1 - mu * mu);
+            Ray const ray(place, direction);
+            double end = span_inside(ray, radius_ + top_).out;
+            if (Span const body = span_inside(ray, radius_); mu < 0 && !body.empty()) end = body.in;
+            double depth = 0, light = 0;
+            for (int i = 0; i < STEPS; ++i) { // steps grow with the distance
+                double const t0 = end * i * i / (STEPS * STEPS), t1 = end * (i + 1) * (i + 1) / (STEPS * STEPS);
+                glm::dvec3 const at = ray.at(0.5 * (t0 + t1));
+                double const altitude = length(at) - radius_;
+                double scattering = 0, extinction = 0;
+                for (Component const& component : medium.components) {
+                    double const there = density(component.profile, altitude) * (t1 - t0);
+                    scattering += mean(component.scattering) * there;
+                    extinction += mean(component.extinction) * there;
+                }
+                light += scattering * std::exp(-depth - 0.5 * extinction) * brightness(at);
+                depth += extinction;
+            }
+            double const solid_angle = 2 * M_PI / COLUMNS * (cosine_at(s1) - cosine_at(s0));
+            bins[node * BINS + bin] = static_cast<float>(light / (4 * M_PI) * solid_angle);
+        }
+    }
+}
+
+void LightGuide::set_shares(std::vector<float> const& bins) {
+    shares_.resize(NODES * NODE_SIZE);
+    for (int node = 0; node < NODES; ++node) {
+        float const* const light = &bins[node * BINS];
+        float* const rows = &shares_[node * NODE_SIZE];
+        double total = 0;
+        for (int bin = 0; bin < BINS; ++bin) total += double(light[bin]);
+        double below = 0;
+        for (int row = 0; row < ROWS; ++row) {
+            float* const columns = rows + (ROWS + 1) + row * (COLUMNS + 1);
+            double row_light = 0;
+            for (int c = 0; c < COLUMNS; ++c) row_light += double(light[row * COLUMNS + c]);
+            double before = 0;
+            for (int c = 0; c < COLUMNS; ++c) {
+                double const lit = row_light > 0 ? double(light[row * COLUMNS + c]) / row_light : 1.0 / COLUMNS;
+                before += (1 - EVEN_SHARE) * lit + EVEN_SHARE / COLUMNS;
+                columns[c + 1] = static_cast<float>(before);
+            }
+            double const solid_angle = 0.5 * (cosine_at((row + 1.0) / ROWS) - cosine_at(double(row) / ROWS));
+            below += (1 - EVEN_SHARE) * (total > 0 ? row_light / total : solid_angle) + EVEN_SHARE * solid_angle;
+            rows[row + 1] = static_cast<float>(below);
+        }
+    }
+}
+
+LightGuide::Grid LightGuide::grid_at(glm::dvec3 const& place) const {
+    double const radius = length(place), cosine = dot(place, to_sun_) / radius;
+    return {std::sqrt(std::clamp((radius - radius_) / top_, 0.0, 1.0)) * (ALTITUDES - 1),
+            std::clamp(place_of_cosine(cosine), 0.0, 1.0) * (SUNS - 1)};
+}
+
+double LightGuide::brightness(glm::dvec3 const& place) const {
+    Grid const grid = grid_at(place);
+    int const i = std::min(static_cast<int>(grid.row), ALTITUDES - 2), k = std::min(static_cast<int>(grid.column), SUNS - 2);
+    double const y = grid.row - i, x = grid.column - k;
+    double const* const node = &brightness_[i * SUNS + k];
+    return (1 - y) * ((1 - x) * node[0] + x * node[1]) + y * ((1 - x) * node[SUNS] + x * node[SUNS + 1]);
+}
+
+LightGuide::Directions::Directions(LightGuide const& guide, glm::dvec3 const& place)
+    : up_(normalize(place)), ahead_(sunward(up_, guide.to_sun_)), aside_(cross(up_, ahead_)) {
+    Grid const grid = guide.grid_at(place);
+    int const node = static_cast<int>(grid.row + 0.5) * SUNS + static_cast<int>(grid.column + 0.5);
+    rows_ = &guide.shares_[node * NODE_SIZE];
+}
+
+glm::dvec3 LightGuide::Directions::sample(double u, double v) const {
+    Pick const row = pick(rows_, ROWS, u);
+    // The two sides of the sun mirror each other.
+    double const side = v < 0.5 ? 1 : -1;
+    Pick const column = pick(rows_ + (ROWS + 1) + row.bin * (COLUMNS + 1), COLUMNS, v < 0.5 ? 2 * v : 2 * v - 1);
+    double const mu = cosine_at((row.bin + row.inside) / ROWS), phi = M_PI * (column.bin + column.inside) / COLUMNS;
+    double const sine = std::sqrt(std::max(0.0, 1 - mu * mu));
+    return normalize(up_ * mu + (ahead_ * std::cos(phi) + aside_ * (side * std::sin(phi))) * sine);
+}
+
+double LightGuide::Directions::density(glm::dvec3 const& direction) const {
+    double const x = place_of_cosine(std::clamp(dot(direction, up_), -1.0, 1.0));
+    double const phi = std::atan2(std::abs(dot(direction, aside_)), dot(direction, ahead_));
+    int const row = std::min(static_cast<int>(x * ROWS), ROWS - 1);
+    int const column = std::min(static_cast<int>(phi / M_PI * COLUMNS), COLUMNS - 1);
+    float const* const columns = rows_ + (ROWS + 1) + row * (COLUMNS + 1);
+    double const row_share = double(rows_[row + 1]) - double(rows_[row]);
+    double const column_share = double(columns[column + 1]) - double(columns[column]);
+    // d mu = 4 |2x - 1| dx, and each side has half of the choices.
+    return row_share * ROWS / (4 * std::abs(2 * x - 1) + 1e-300) * column_share * COLUMNS / (2 * M_PI);
+}
+
+} // namespace alpenglow
