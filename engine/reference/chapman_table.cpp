@@ -69,7 +69,7 @@ ChapmanTable::ChapmanTable(double lowest, double highest, double scale_height)
       nodes_(RADII * COSINES) {
     for (int i = 0; i < RADII; ++i) {
         double const r = lowest + i * radius_step_, width = width_of(r, scale_height);
-        nodes_[i * COSINES] = 1; // straight up through ever thinner shells: path = H / mu
+        nodes_[i * COSINES] = 1 + scale_height / r; // the limit of endless mu: a climb c takes (c + c^2 / (2 r)) / mu
         for (int k = 1; k < COSINES; ++k) {
             double const x = double(k) / (COSINES - 1), mu = width / x - width;
             nodes_[i * COSINES + k] = integrate_path(r, mu, scale_height) / scale_height * (mu + width);

@@ -62,7 +62,6 @@ GroundPoint Ground::planet_point(glm::dvec3 const& origin, glm::dvec3 const& dir
     point.facing = point.shading = unit;
     if (!(pixel_angle > 0) || planet_.look == GroundLook::uniform) {
         point.surface = shader_double::make_surface(planet_.ground_albedo, 0.0, 1.0, 0.0);
-        point.lambertian = true;
         return point;
     }
     double const facing = std::max(glm::dot(unit, -direction), LEAST_FACING);

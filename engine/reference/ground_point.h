@@ -12,7 +12,6 @@ struct GroundPoint {
     glm::dvec3 facing{0, 0, 1};  ///< unit, geometric normal on the ray's side
     glm::dvec3 shading{0, 0, 1}; ///< unit, from vertex normals and normal map; a bump may lean away from the ray
     shader_double::Surface surface{};
-    bool lambertian = false; ///< `surface.diffuse` alone, with no gloss over it
     glm::dvec3 emission{0};  ///< radiance, relative to the sun's irradiance
 };
 

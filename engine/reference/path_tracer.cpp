@@ -17,7 +17,7 @@ constexpr double THIN = 0.2; ///< share of a flight's light that gets through, a
 double sum(glm::dvec3 const& color) { return color.x + color.y + color.z; }
 
 bool is_black(GroundPoint const& point) {
-    return point.lambertian && point.surface.diffuse == glm::dvec3(0) && point.emission == glm::dvec3(0);
+    return point.surface.gloss == 0 && point.surface.diffuse == glm::dvec3(0) && point.emission == glm::dvec3(0);
 }
 
 /// Which of three channels a number in (0, 1) means, each as likely as its share of the light.

@@ -23,6 +23,12 @@ glm::dvec3 Sunlight::through_air(glm::dvec3 const& place, glm::dvec3 const& dire
 
 glm::dvec3 Sunlight::unshadowed(glm::dvec3 const& place) const { return through_air(place, source_.to_sun); }
 
+bool Sunlight::misses_planet(glm::dvec3 const& place) const {
+    Ray const ray(place, source_.to_sun);
+    double const planet = depth_->planet_radius();
+    return ray.along >= 0 || ray.closest_squared >= planet * planet;
+}
+
 SunRay Sunlight::sample(glm::dvec3 const& place, double u1, double u2) const {
     SunRay ray{source_.to_sun};
     if (source_.irradiance == glm::dvec3(0)) return ray;

@@ -29,6 +29,8 @@ public:
     SunRay sample(glm::dvec3 const& place, double u1, double u2) const;
     /// From the disc's centre, as if no scene stood there.
     glm::dvec3 unshadowed(glm::dvec3 const& place) const;
+    /// Whether the line from a place to the disc's centre passes the planet.
+    bool misses_planet(glm::dvec3 const& place) const;
     LightSource const& source() const { return source_; }
 
 private:

@@ -31,7 +31,7 @@ double brightest(glm::dvec3 const& c) { return std::max({c.x, c.y, c.z}); }
 
 /// Half for each where there is any diffuse light to speak of: the diffuse lobe also covers what GGX's facets miss.
 double gloss_share(GroundPoint const& point, double viewer_cosine) {
-    if (point.lambertian) return 0;
+    if (point.surface.gloss == 0) return 0;
     glm::dvec3 const gloss = shader_double::fresnel(point.surface.specular, viewer_cosine);
     double const bright = brightest(gloss), diffuse = brightest(point.surface.diffuse) * (1 - bright);
     return std::clamp(bright / std::max(bright + diffuse, 1e-9), 0.1, 0.9);
@@ -91,7 +91,7 @@ double density(Lobes const& lobes, glm::dvec3 const& viewer, glm::dvec3 const& l
 glm::dvec3 reflect(GroundPoint const& point, glm::dvec3 const& to_viewer, glm::dvec3 const& to_light) {
     double const cosine = glm::dot(point.shading, to_light);
     if (cosine <= 0 || glm::dot(point.facing, to_light) <= 0) return glm::dvec3(0);
-    if (point.lambertian) return point.surface.diffuse * (cosine / PI);
+    if (point.surface.gloss == 0) return point.surface.diffuse * (cosine / PI);
     return shader_double::reflect_light(point.surface, point.shading, to_viewer, to_light);
 }
 
