@@ -14,6 +14,10 @@ constexpr std::size_t MOST_COMPONENTS = 16;
 constexpr double LED_SHARE = 0.5; ///< of the turns in air that go where light comes from
 constexpr double THIN = 0.2; ///< share of a flight's light that gets through, above which its collision is forced
 
+/// Events up to which a path is led. Each led choice may weigh more than 1, and over the many events of thick air such
+/// weights would multiply without bound; later flights and turns are those of the light itself.
+constexpr int LED_EVENTS = 5;
+
 double sum(glm::dvec3 const& color) { return color.x + color.y + color.z; }
 
 bool is_black(GroundPoint const& point) {
@@ -107,7 +111,7 @@ bool PathTracer::scatter_in_air(Path& path) const {
         densities[i] = component.scattering * density(component.profile, altitude);
         total += densities[i];
     }
-    if (!survives(path, dot(path.throughput, total) * guide_.brightness(path.place))) return false;
+    if (!survives(path, dot(path.throughput, total))) return false;
     auto const towards = [&](glm::dvec3 const& direction) {
         glm::dvec3 value(0);
         double const cosine = dot(path.direction, direction);
@@ -124,12 +128,12 @@ bool PathTracer::scatter_in_air(Path& path) const {
 
     // To where the light comes from, or as the air's constituents turn it.
     LightGuide::Directions const led(guide_, path.place);
-    double const light = dot(path.throughput, total);
+    double const light = dot(path.throughput, total), led_share = path.events <= LED_EVENTS ? LED_SHARE : 0;
     glm::dvec3 direction;
-    if (choice < LED_SHARE) {
+    if (choice < led_share) {
         direction = led.sample(u, v);
     } else {
-        double left = (choice - LED_SHARE) / (1 - LED_SHARE) * light;
+        double left = (choice - led_share) / (1 - led_share) * light;
         std::size_t turning = 0;
         for (; turning + 1 < count; ++turning) {
             left -= dot(path.throughput, densities[turning]);
@@ -138,14 +142,14 @@ bool PathTracer::scatter_in_air(Path& path) const {
         direction = around(path.direction, sample_phase_cosine(medium_.components[turning].phase, u), v);
     }
     glm::dvec3 const value = towards(direction);
-    path.throughput = value / (LED_SHARE * led.density(direction) + (1 - LED_SHARE) * sum(value) / light);
+    path.throughput = value / (led_share * led.density(direction) + (1 - led_share) * sum(value) / light);
     path.direction = direction;
     return true;
 }
 
 bool PathTracer::scatter_on_ground(Path& path, GroundPoint const& point) const {
     path.place = point.position;
-    if (!survives(path, sum(path.throughput) * guide_.brightness(path.place))) return false;
+    if (!survives(path, sum(path.throughput))) return false;
     path.radiance += path.throughput * point.emission;
     ++path.events;
     glm::dvec3 const to_viewer = -path.direction;
@@ -190,7 +194,7 @@ bool PathTracer::fly(Path& path, Ray const& ray, std::optional<GroundPoint> cons
     DepthAlong const depth(depth_, ray);
     glm::dvec3 const start = depth.at(air.in), through = exp(start - depth.at(air.out));
     double const share_through = dot(through, path.throughput) / sum(path.throughput);
-    if (share_through < THIN) return fly_tracked(path, ray, air, depth, start);
+    if (share_through < THIN || path.events > LED_EVENTS) return fly_tracked(path, ray, air, depth, start);
 
     bool const leads_nowhere = ground ? is_black(*ground) : sun_.source().background == glm::dvec3(0);
     double const passing = leads_nowhere ? 0 : share_through, choice = path.numbers.next(), u = path.numbers.next();
@@ -221,10 +225,11 @@ bool PathTracer::fly_tracked(Path& path, Ray const& ray, Span const& air, DepthA
     return collision.has_value();
 }
 
-/// Russian roulette on paths that promise less than a tenth of what they did at first. `value` is what the path carries
-/// times how bright it is there.
-bool PathTracer::survives(Path& path, double value) const {
-    if (path.events == 0) path.first_value = value;
+/// Russian roulette on paths that promise less than a tenth of what they did at first. While a path is led, what it
+/// carries, `light`, promises as much as its place is bright.
+bool PathTracer::survives(Path& path, double light) const {
+    double const value = path.events <= LED_EVENTS ? light * guide_.brightness(path.place) : light;
+    if (path.events == 0 || path.events == LED_EVENTS + 1) path.first_value = value;
     double const least = 0.1 * path.first_value;
     if (!(value > 0)) return false;
     if (value >= least) return true;
