@@ -38,7 +38,7 @@ struct PathTracer::Path {
     glm::dvec3 direction{0};  ///< unit, of travel away from the camera
     glm::dvec3 throughput{1}; ///< in air: before the collision's scattering coefficient [m]
     PathNumbers numbers;
-    double first_promise = 0; ///< of light, at the first event; for Russian roulette
+    double first_light = 0, first_brightness = 0; ///< carried to the first event, and how bright it was there
     int events = 0;
     glm::dvec3 radiance{0};
 };
@@ -226,12 +226,12 @@ bool PathTracer::fly_tracked(Path& path, Ray const& ray, Span const& air, DepthA
 }
 
 /// Russian roulette on paths that promise less than a tenth of what they did at first: by the light they carry to an
-/// event and, while they are led, by how bright it is there.
+/// event and, while they are led, by how much brighter or darker it is there than at the first.
 bool PathTracer::survives(Path& path, double light) const {
+    if (path.events == 0) path.first_light = light, path.first_brightness = guide_.brightness(path.place);
     double promise = light;
-    if (path.events <= LED_EVENTS) promise *= std::sqrt(guide_.brightness(path.place));
-    if (path.events == 0) path.first_promise = promise;
-    double const least = 0.1 * path.first_promise;
+    if (path.events <= LED_EVENTS) promise *= std::sqrt(guide_.brightness(path.place) / path.first_brightness);
+    double const least = 0.1 * path.first_light;
     if (!(promise > 0)) return false;
     if (promise >= least) return true;
     if (path.numbers.independent() * least >= promise) return false;

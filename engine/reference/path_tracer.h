@@ -15,7 +15,8 @@ namespace alpenglow {
 /// All three channels go along one path. Through thick air a flight is tracked in a channel that is chosen by the light
 /// the path carries, and weighted by all channels' probabilities of having made it (the balance heuristic of Veach and
 /// Guibas 1995, as for wavelengths in Wilkie et al. 2014), so that the sum over channels never changes by the choice;
-/// likewise the constituent of the air that turns it. In thin air the collision is forced, and led to where it is bright.
+/// likewise the constituent of the air that turns it. In thin air the first few collisions are forced, and led to where
+/// it is bright.
 class PathTracer {
 public:
     struct Options {
