@@ -15,7 +15,10 @@ LightSource light_of(World const& world, SunShape shape) {
 } // namespace
 
 TracedView::TracedView(View const& view, SunShape sun, int orders)
-    : world_(make_world(view, load_planet(view.planet))), scene_(load_scene(view, world_.planet.radius)),
+    : TracedView(view, load_planet(view.planet), sun, orders) {}
+
+TracedView::TracedView(View const& view, Planet const& planet, SunShape sun, int orders)
+    : world_(make_world(view, planet)), scene_(load_scene(view, world_.planet.radius)),
       ground_(world_.planet, scene_ ? &*scene_ : nullptr, scene_placement(view)),
       tracer_(make_medium(world_.planet), ground_, light_of(world_, sun), {.orders = orders}) {}
 

@@ -13,6 +13,8 @@ class TracedView {
 public:
     /// Loads planet and scene. `orders` as in PathTracer::Options. Throws Error.
     TracedView(View const& view, SunShape sun = SunShape::disc, int orders = 0);
+    /// The same around another planet than the view's.
+    TracedView(View const& view, Planet const& planet, SunShape sun = SunShape::disc, int orders = 0);
 
     PathTracer const& tracer() const { return tracer_; }
     Camera const& camera() const { return world_.camera; }
