@@ -9,7 +9,7 @@ namespace alpenglow {
 
 namespace {
 
-constexpr int SHELLS = 20;
+constexpr int SHELLS = 14;
 constexpr int LONGEST_PIECES = 4;       ///< of a ray in a shell
 constexpr double PIECE_LENGTH = 60'000; ///< [m] along it the sun's height changes by half a degree
 constexpr int MOST_PIECES = 2 * SHELLS * LONGEST_PIECES;

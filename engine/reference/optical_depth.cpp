@@ -39,16 +39,22 @@ void OpticalDepth::add(glm::dvec3& sum, LinearPart const& part, double radius, d
     sum += part.extinction * path;
 }
 
-glm::dvec3 OpticalDepth::climbing(double radius, double mu) const {
+glm::dvec3 OpticalDepth::rising(double radius, double mu) const {
+    glm::dvec3 sum(0);
+    for (ExponentialPart const& part : exponential_) {
+        sum += part.extinction * (std::exp((radius_ - radius) / part.scale_height) * part.table.path(radius, mu));
+    }
+    for (LinearPart const& part : linear_) add(sum, part, radius, mu);
+    return sum;
+}
+
+glm::dvec3 OpticalDepth::above_top(double radius, double mu) const {
     glm::dvec3 sum(0);
     double const p_squared = radius * radius * std::max(0.0, 1 - mu * mu);
     double const mu_top = std::sqrt(std::max(0.0, 1 - p_squared / (top_radius_ * top_radius_)));
     for (ExponentialPart const& part : exponential_) {
-        double path = std::exp((radius_ - radius) / part.scale_height) * part.table.path(radius, mu);
-        if (part.top_density > 1e-14) path -= part.top_density * part.table.path(top_radius_, mu_top);
-        sum += part.extinction * path;
+        if (part.top_density > 1e-14) sum += part.extinction * (part.top_density * part.table.path(top_radius_, mu_top));
     }
-    for (LinearPart const& part : linear_) add(sum, part, radius, mu);
     return sum;
 }
 
@@ -63,13 +69,13 @@ DepthAlong::DepthAlong(OpticalDepth const& depth, Ray const& ray) : depth_(&dept
 glm::dvec3 DepthAlong::at(double distance) const {
     double const radius = ray_->radius_at(distance), mu = (ray_->along + distance) / radius;
     // On the way in, depth still to come to the top behind; on the way out the closest approach is passed as well.
-    if (mu < 0) return depth_->climbing(radius, -mu);
+    if (mu < 0) return depth_->rising(radius, -mu);
     if (!inward_) {
         // A ray whose closest approach is inside the planet climbs all the way: any constant serves.
         double const closest = std::sqrt(ray_->closest_squared);
-        inward_ = closest < depth_->planet_radius() ? glm::dvec3(0) : 2.0 * depth_->climbing(closest, 0);
+        inward_ = closest < depth_->planet_radius() ? glm::dvec3(0) : 2.0 * depth_->rising(closest, 0);
     }
-    return *inward_ - depth_->climbing(radius, mu);
+    return *inward_ - depth_->rising(radius, mu);
 }
 
 } // namespace alpenglow

@@ -16,7 +16,9 @@ public:
     explicit OpticalDepth(Medium const& medium);
 
     /// From a place at `radius` [m] inside the medium to its top, mu >= 0.
-    glm::dvec3 climbing(double radius, double mu) const;
+    glm::dvec3 climbing(double radius, double mu) const { return rising(radius, mu) - above_top(radius, mu); }
+    /// The same with what exponential profiles would hold above the top: along one ray the differences are right.
+    glm::dvec3 rising(double radius, double mu) const;
     /// From a place to the medium's top in a direction that misses the planet: mu may be negative.
     glm::dvec3 to_top(double radius, double mu) const;
     double planet_radius() const { return radius_; }
@@ -32,6 +34,7 @@ private:
         glm::dvec3 extinction;
         LinearProfile profile;
     };
+    glm::dvec3 above_top(double radius, double mu) const;
     void add(glm::dvec3& sum, LinearPart const& part, double radius, double mu) const;
 
     double radius_, top_radius_;

@@ -24,6 +24,12 @@ bool is_black(GroundPoint const& point) {
     return point.surface.gloss == 0 && point.surface.diffuse == glm::dvec3(0) && point.emission == glm::dvec3(0);
 }
 
+/// How many of the paths of a ray to the ground begin in the air before it.
+int share_of_air(glm::dvec3 const& transmittance, int paths) {
+    double const opacity = 1 - sum(transmittance) / 3;
+    return std::max(1, static_cast<int>(std::lround(paths * std::clamp(opacity, 0.25, 0.75))));
+}
+
 /// Which of three channels a number in (0, 1) means, each as likely as its share of the light.
 int choose_channel(glm::dvec3 const& light, double u) {
     double const at = u * sum(light);
@@ -68,25 +74,26 @@ PathTracer::Estimate PathTracer::trace(glm::dvec3 const& origin, glm::dvec3 cons
         flight.emplace(medium_, depth_, sun_, guide_, ray, air.in, air.out);
         behind = flight->transmittance();
     }
-    auto const finish = [&](Path const& path) {
-        estimate.radiance += path.radiance / double(paths);
+    auto const finish = [&](Path const& path, int of) {
+        estimate.radiance += path.radiance / double(of);
         estimate.events += path.events;
     };
-    for (int i = 0; i < paths; ++i) {
-        std::uint32_t const index = first_index + static_cast<std::uint32_t>(i);
-        if (flight) {
-            Path path{.direction = direction, .numbers = PathNumbers(hash(key, 1), index)};
-            FirstFlight::Choice const choice = flight->choose(path.numbers.next());
-            path.place = ray.at(choice.distance);
-            path.throughput = choice.weight;
-            walk_from_air(path);
-            finish(path);
-        }
-        if (ground) {
-            Path path{.direction = direction, .throughput = behind, .numbers = PathNumbers(hash(key, 2), index)};
-            walk_from_ground(path, *ground);
-            finish(path);
-        }
+    int const from_air = flight ? ground && !is_black(*ground) ? share_of_air(behind, paths) : paths : 0;
+    for (int i = 0; i < from_air; ++i) {
+        Path path{.direction = direction, .numbers = PathNumbers(hash(key, 1), first_index + static_cast<std::uint32_t>(i))};
+        FirstFlight::Choice const choice = flight->choose(path.numbers.next());
+        path.place = ray.at(choice.distance);
+        path.throughput = choice.weight;
+        walk_from_air(path);
+        finish(path, from_air);
+    }
+    int const from_ground = ground ? std::max(paths - from_air, 1) : 0;
+    for (int i = 0; i < from_ground; ++i) {
+        Path path{.direction = direction,
+                  .throughput = behind,
+                  .numbers = PathNumbers(hash(key, 2), first_index + static_cast<std::uint32_t>(i))};
+        walk_from_ground(path, *ground);
+        finish(path, from_ground);
     }
     if (!ground) estimate.radiance += behind * sun_.source().background;
     return estimate;
