@@ -15,8 +15,8 @@ namespace {
 
 constexpr char const* INTRODUCTION = R"(# Accuracy
 
-How far the real-time renderer is from the path tracer on the views of `assets/views/comparison`. This page is printed by the
-program; it is a report and not a target: nothing in the renderer is fitted to it.
+How far the real-time renderer is from the path tracer on the views of `assets/views/comparison`. This page is printed
+by the program; it is a report and not a target: nothing in the renderer is fitted to it.
 
 ```
 {}
@@ -24,11 +24,12 @@ program; it is a report and not a target: nothing in the renderer is fitted to i
 
 {}, {}, {}.
 
-- FLIP: mean HDR FLIP at 67 pixels a degree, 0 to 1; it looks at all exposures of the picture, so the view's own plays no part.
-- RMSE: over all pixels and channels, in radiance; the sun's irradiance is 6 in the first twelve views and 1 in the others.
+- FLIP: mean HDR FLIP at 67 pixels a degree, 0 to 1. It chooses exposures by the reference; the view's plays no part.
+- RMSE: over all pixels and channels, in radiance; the sun's irradiance is 6 where a published figure stands, else 1.
 - bias: the mean of all pixels and channels over the reference's, less one; above 0 is too bright.
-- ms: one frame at the picture's size with one ray for each pixel, from the start of its recording to the end of its work on
-  the device; the median of several. The picture that is compared has {} rays for each pixel and otherwise the settings of its view.
+- ms: one frame at the picture's size with one ray for each pixel, from the start of its recording to the end of its
+  work on the device; the median of several. The picture that is compared has {} rays for each pixel and otherwise the
+  settings of its view.
 - noise: FLIP and RMSE between two halves of the reference's samples. Errors at or below it say nothing.
 - {}
 
@@ -38,7 +39,7 @@ program; it is a report and not a target: nothing in the renderer is fitted to i
 
 std::string published(std::string const& view) {
     auto const found = std::ranges::find(PUBLISHED_FIGURES, view, &PublishedFigures::view);
-    return found == PUBLISHED_FIGURES.end() ? "| |"
+    return found == PUBLISHED_FIGURES.end() ? "| | |"
                                             : fmt::format("| {:.3f} | {:.3f} |", found->bruneton, found->hillaire);
 }
 
@@ -80,10 +81,12 @@ std::string accuracy_document(std::span<Evaluation const> rows, Circumstances co
     std::string text = fmt::format(INTRODUCTION, circumstances.command, circumstances.date, circumstances.device,
                                    circumstances.size, EVALUATION_AA, PUBLISHED_CAVEAT);
     for (Evaluation const& row : rows) text += table_row(row);
-    text += "\n## The worst\n\nFrom left to right: rendered, the reference, and FLIP. Each pair is displayed at one exposure.\n";
+    text += "\n## The worst\n\nFrom left to right: rendered, the reference, and FLIP. Each pair is displayed at one "
+            "exposure.\n";
     std::vector<std::size_t> const worst = worst_rows(rows, pictures.size());
     for (std::size_t i = 0; i < worst.size(); ++i) {
-        text += fmt::format("\n![{0}]({1})\n{0}, FLIP {2:.5f}\n", rows[worst[i]].view, pictures[i], rows[worst[i]].flip);
+        text +=
+            fmt::format("\n![{0}]({1})\n{0}, FLIP {2:.5f}\n", rows[worst[i]].view, pictures[i], rows[worst[i]].flip);
     }
     return text;
 }

@@ -68,8 +68,8 @@ Result evaluate_case(Stage& stage, Case const& given, std::string const& model) 
     ViewReference const& reference = given.reference;
     ViewError error = measure_error(stage, view, reference);
     double const frame_ms = time_view(stage, view, reference.radiance.extent);
-    Evaluation row{view.name, model, error.flip, error.rmse, error.bias, frame_ms, reference.noise_flip,
-                   reference.noise_rmse};
+    Evaluation row{view.name,  model,    error.flip,           error.rmse,
+                   error.bias, frame_ms, reference.noise_flip, reference.noise_rmse};
     return {std::move(row), std::move(view), std::move(error), reference.radiance};
 }
 
@@ -105,22 +105,22 @@ ByteImage displayed(FloatImage const& radiance, double exposure) {
     return srgb_from_linear(exponential_display(radiance, exposure));
 }
 
-/// Rendered, reference and heat map beside each other, from the top.
+/// Rendered, reference and heat map beside each other with 4 black pixels between them, from the top.
 ByteImage triptych(Result const& result) {
     double const exposure = result.view.settings.exposure;
     std::array<ByteImage, 3> const parts{displayed(result.error.picture, exposure),
                                          displayed(result.reference, exposure), heat_map(result.error.map)};
-    std::uint32_t const width = parts[0].extent.width;
-    ByteImage picture({3 * width, parts[2].extent.height});
+    std::uint32_t const width = parts[0].extent.width, stride = width + 4;
+    ByteImage picture({2 * stride + width, parts[2].extent.height});
     for (std::size_t i = 3; i < picture.rgba.size(); i += 4) picture.rgba[i] = 255;
     for (std::uint32_t part = 0; part < 3; ++part) {
         for (std::uint32_t y = 0; y < parts[part].extent.height; ++y)
-            std::copy_n(parts[part].at(0, y), 4 * width, picture.at(part * width, y));
+            std::copy_n(parts[part].at(0, y), 4 * width, picture.at(part * stride, y));
     }
     return picture;
 }
 
-/// "a, b, and c processors": on a software device the processor is the device.
+/// With the processor, which on a software device is the device.
 std::string device_words(Device const& device) {
     std::string words = fmt::format("{} ({})", device.name(), device.driver());
     std::ifstream cpus("/proc/cpuinfo");
@@ -133,6 +133,8 @@ std::string device_words(Device const& device) {
 
 std::string command_words(EvaluateOptions const& options) {
     std::string words = "alpenglow evaluate --document " + options.document->string();
+    if (!options.views.empty()) words += " --views";
+    for (fs::path const& view : options.views) words += fmt::format(" {}", view.string());
     for (Override const& o : options.overrides) words += fmt::format(" --set {}={}", o.name, o.value);
     return words;
 }
@@ -145,16 +147,15 @@ void write_document(EvaluateOptions const& options, Device const& device, std::s
         write_png(options.document->parent_path() / pictures.back(), triptych(results[i]));
     }
     Extent const size = results.front().reference.extent;
-    Circumstances const circumstances{
-        .command = command_words(options),
-        .device = device_words(device),
-        .date = fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::chrono::system_clock::now())),
-        .size = fmt::format("{}x{}", size.width, size.height)};
+    Circumstances const circumstances{.command = command_words(options),
+                                      .device = device_words(device),
+                                      .date = fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::chrono::system_clock::now())),
+                                      .size = fmt::format("{}x{}", size.width, size.height)};
     write_text_file(*options.document, accuracy_document(rows, circumstances, pictures));
 }
 
-void require_recorded(fs::path const& document, std::span<RecordedError const> record,
-                      std::span<Evaluation const> rows, bool on_software) {
+void require_recorded(fs::path const& document, std::span<RecordedError const> record, std::span<Evaluation const> rows,
+                      bool on_software) {
     std::vector<std::string> differences;
     for (Evaluation const& row : rows) {
         auto const difference = difference_from_record(row, record, record_tolerance(on_software));
@@ -162,10 +163,10 @@ void require_recorded(fs::path const& document, std::span<RecordedError const> r
     }
     for (std::string const& difference : differences) log_warning(difference);
     if (differences.empty()) return;
-    throw Error(ErrorKind::bad_input,
-                fmt::format("{} of {} rows are not as recorded; {}", differences.size(), rows.size(), differences.front()),
-                document.string(),
-                "where the change is meant: alpenglow evaluate --document " + document.string());
+    throw Error(
+        ErrorKind::bad_input,
+        fmt::format("{} of {} rows are not as recorded; {}", differences.size(), rows.size(), differences.front()),
+        document.string(), "where the change is meant: alpenglow evaluate --document " + document.string());
 }
 
 } // namespace

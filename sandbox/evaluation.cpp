@@ -55,7 +55,8 @@ std::vector<fs::path> comparison_views() {
     for (fs::directory_entry const& entry : fs::directory_iterator(folder, error)) {
         if (entry.path().extension() == ".json") files.push_back(entry.path());
     }
-    if (files.empty()) throw Error(ErrorKind::bad_input, "there are no comparison views", folder.string(), "give --views");
+    if (files.empty())
+        throw Error(ErrorKind::bad_input, "there are no comparison views", folder.string(), "give --views");
     std::ranges::sort(files, {}, [](fs::path const& file) {
         std::string const name = file.stem().string();
         return std::tuple(published_place(name), name);

@@ -28,9 +28,9 @@ inline constexpr std::array PUBLISHED_FIGURES{
 };
 
 inline constexpr std::string_view PUBLISHED_CAVEAT =
-    "Bruneton and Hillaire: mean HDR FLIP that D. Leenman (2025, appendix A) published for the same suns, heights and air. "
-    "They are context, not a ranking: his cameras are his own (field of view and pitch are not given), his pictures have 36 times "
-    "the pixels, and his reference stops at four scattering events and has noise, which favours four orders of Bruneton's "
-    "model, spoils the dark views and dominates orbit-dawn.";
+    "Bruneton and Hillaire: mean HDR FLIP that D. Leenman (2025, appendix A) published for the same suns, heights and "
+    "air. They are context, not a ranking: his cameras are his own (field of view and pitch are not given), his "
+    "pictures have 36 times the pixels, and his reference stops at four scattering events and has noise, which favours "
+    "four orders of Bruneton's model, spoils the dark views and dominates orbit-dawn.";
 
 } // namespace alpenglow

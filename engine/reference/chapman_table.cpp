@@ -10,8 +10,8 @@ namespace alpenglow {
 
 namespace {
 
-constexpr int RADII = 12;     ///< of them 10 inside [lowest, highest]: cubic interpolation reaches one to each side
-constexpr int COSINES = 96;   ///< in x = width / (mu + width), even from 0 to 1; two more to each side are not needed
+constexpr int RADII = 16;     ///< on which the nodes hardly depend: interpolated linearly
+constexpr int COSINES = 96;   ///< in x = width / (mu + width), even from 0 to 1
 constexpr int POINTS = 6;     ///< of the interpolation in x
 
 /// Cosine with the horizon below which the planet's curvature counts: sqrt(2 H / (pi r)). The path is nearly
@@ -80,17 +80,13 @@ ChapmanTable::ChapmanTable(double lowest, double highest, double scale_height)
 double ChapmanTable::path(double radius, double mu) const {
     double const width = width_of(radius, scale_height_);
     double const row = (radius - lowest_) / radius_step_, column = width / (mu + width) * (COSINES - 1);
-    int const first_row = std::clamp(static_cast<int>(row) - 1, 0, RADII - 4);
+    int const first_row = std::clamp(static_cast<int>(row), 0, RADII - 2);
     int const first_column = std::clamp(static_cast<int>(column) - POINTS / 2 + 1, 0, COSINES - POINTS);
-    auto const rows = lagrange_weights<4>(row - first_row);
+    double const between = row - first_row;
     auto const columns = lagrange_weights<POINTS>(column - first_column);
+    double const* const node = &nodes_[first_row * COSINES + first_column];
     double sum = 0;
-    for (int i = 0; i < 4; ++i) {
-        double const* const node = &nodes_[(first_row + i) * COSINES + first_column];
-        double along = 0;
-        for (int k = 0; k < POINTS; ++k) along += columns[k] * node[k];
-        sum += rows[i] * along;
-    }
+    for (int k = 0; k < POINTS; ++k) sum += columns[k] * ((1 - between) * node[k] + between * node[k + COSINES]);
     return sum * scale_height_ / (mu + width);
 }
 

@@ -28,8 +28,7 @@ public:
     /// The nearest place before `longest` [m] along the unit `direction` from `origin` (world [m]). A ray that starts
     /// at or under the planet's surface meets it at distance 0 if it goes down, and not at all if it goes up.
     /// `pixel_angle` [rad]: how wide a camera's pixel is; 0 for light that is on its way after its first event, which
-    /// sees the planet's body as Lambertian with the mean `ground_albedo`; a uniform
-    /// ground is that to everyone.
+    /// sees the planet's body as Lambertian with the mean `ground_albedo`; a uniform ground is that to everyone.
     std::optional<GroundPoint> first_hit(glm::dvec3 const& origin, glm::dvec3 const& direction,
                                          double longest = std::numeric_limits<double>::infinity(),
                                          double pixel_angle = 0) const;

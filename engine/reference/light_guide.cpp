@@ -42,7 +42,7 @@ Pick pick(float const* cumulative, int count, double u) {
 
 LightGuide::LightGuide(Medium const& medium, Sunlight const& sun)
     : radius_(medium.radius), top_(medium.top), to_sun_(sun.source().to_sun), brightness_(NODES, 1.0) {
-    std::vector<float> bins(NODES * BINS, 1.0f);
+    std::vector<float> bins(NODES * BINS, 0.0f); // none lit: all directions alike
     bool const dark = sun.source().irradiance == glm::dvec3(0) || medium.components.empty();
     if (!dark) {
         glm::dvec3 across, other;

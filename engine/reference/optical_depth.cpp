@@ -18,14 +18,11 @@ OpticalDepth::OpticalDepth(Medium const& medium) : radius_(medium.radius), top_r
 }
 
 /// In each layer the density is d0 + slope (r - r0), r = sqrt(p^2 + s^2), s from the closest approach p:
-/// the integral of r ds is (s r + p^2 asinh(s / p)) / 2.
+/// the integral of r ds is (s r + p^2 log(s + r)) / 2.
 void OpticalDepth::add(glm::dvec3& sum, LinearPart const& part, double radius, double mu) const {
     auto const& nodes = part.profile.nodes;
-    double const p_squared = radius * radius * std::max(0.0, 1 - mu * mu), p = std::sqrt(p_squared);
+    double const p_squared = radius * radius * std::max(0.0, 1 - mu * mu);
     auto const distance_at = [&](double r) { return std::sqrt(std::max(0.0, r * r - p_squared)); };
-    auto const radius_integral = [&](double s, double r) {
-        return 0.5 * (s * r + (p > 0 ? p_squared * std::asinh(s / p) : 0));
-    };
     double path = 0;
     for (std::size_t i = 1; i < nodes.size(); ++i) {
         double const low = std::max(radius_ + nodes[i - 1].altitude, radius);
@@ -36,8 +33,8 @@ void OpticalDepth::add(glm::dvec3& sum, LinearPart const& part, double radius, d
         path += nodes[i - 1].density * (s1 - s0);
         if (rise == 0) continue;
         double const slope = rise / (nodes[i].altitude - nodes[i - 1].altitude);
-        double const r0 = radius_ + nodes[i - 1].altitude;
-        path += slope * (radius_integral(s1, high) - radius_integral(s0, low) - r0 * (s1 - s0));
+        double const radii = 0.5 * (s1 * high - s0 * low + p_squared * std::log((s1 + high) / (s0 + low)));
+        path += slope * (radii - (radius_ + nodes[i - 1].altitude) * (s1 - s0));
     }
     sum += part.extinction * path;
 }

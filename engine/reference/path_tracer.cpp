@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "reference/surface_scattering.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -11,12 +12,11 @@ namespace alpenglow {
 namespace {
 
 constexpr std::size_t MOST_COMPONENTS = 16;
+/// A path is led by the guide up to this event. Longer walks go as the light does: weights of many led steps would
+/// multiply to rare, large ones.
+constexpr int LED_EVENTS = 3;
 constexpr double LED_SHARE = 0.5; ///< of the turns in air that go where light comes from
 constexpr double THIN = 0.2; ///< share of a flight's light that gets through, above which its collision is forced
-
-/// Events up to which a path is led. Each led choice may weigh more than 1, and over the many events of thick air such
-/// weights would multiply without bound; later flights and turns are those of the light itself.
-constexpr int LED_EVENTS = 5;
 
 double sum(glm::dvec3 const& color) { return color.x + color.y + color.z; }
 
@@ -38,7 +38,7 @@ struct PathTracer::Path {
     glm::dvec3 direction{0};  ///< unit, of travel away from the camera
     glm::dvec3 throughput{1}; ///< in air: before the collision's scattering coefficient [m]
     PathNumbers numbers;
-    double first_value = 0;   ///< light that its first event promised, for Russian roulette
+    double first_light = 0, first_brightness = 0; ///< carried to the first event, and how bright it was there
     int events = 0;
     glm::dvec3 radiance{0};
 };
@@ -127,8 +127,8 @@ bool PathTracer::scatter_in_air(Path& path) const {
     if (path.events == options_.orders) return false;
 
     // To where the light comes from, or as the air's constituents turn it.
-    LightGuide::Directions const led(guide_, path.place);
     double const light = dot(path.throughput, total), led_share = path.events <= LED_EVENTS ? LED_SHARE : 0;
+    LightGuide::Directions const led(guide_, path.place);
     glm::dvec3 direction;
     if (choice < led_share) {
         direction = led.sample(u, v);
@@ -225,16 +225,17 @@ bool PathTracer::fly_tracked(Path& path, Ray const& ray, Span const& air, DepthA
     return collision.has_value();
 }
 
-/// Russian roulette on paths that promise less than a tenth of what they did at first. While a path is led, what it
-/// carries, `light`, promises as much as its place is bright.
+/// Russian roulette on paths that promise less than a tenth of what they did at first: by the light they carry to an
+/// event and, while they are led, by how much brighter or darker it is there than at the first.
 bool PathTracer::survives(Path& path, double light) const {
-    double const value = path.events <= LED_EVENTS ? light * guide_.brightness(path.place) : light;
-    if (path.events == 0 || path.events == LED_EVENTS + 1) path.first_value = value;
-    double const least = 0.1 * path.first_value;
-    if (!(value > 0)) return false;
-    if (value >= least) return true;
-    if (path.numbers.independent() * least >= value) return false;
-    path.throughput *= least / value;
+    if (path.events == 0) path.first_light = light, path.first_brightness = guide_.brightness(path.place);
+    double promise = light;
+    if (path.events <= LED_EVENTS) promise *= std::sqrt(guide_.brightness(path.place) / path.first_brightness);
+    double const least = 0.1 * path.first_light;
+    if (!(promise > 0)) return false;
+    if (promise >= least) return true;
+    if (path.numbers.independent() * least >= promise) return false;
+    path.throughput *= least / promise;
     return true;
 }
 

@@ -5,7 +5,6 @@
 namespace alpenglow {
 
 BodyLook look_of_body(Planet const& planet, glm::dvec3 const& place, double footprint) {
-    if (planet.look == GroundLook::uniform) return {planet.ground_albedo, 1.0};
     glm::vec3 const unit(glm::normalize(place)), in_period(glm::mod(place, glm::dvec3(GROUND_PERIOD)));
     shader::GroundLookAt const look = shader::planet_look(
         unit, in_period, static_cast<float>(footprint / planet.radius), static_cast<float>(planet.radius));

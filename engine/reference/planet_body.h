@@ -10,8 +10,8 @@ struct BodyLook {
     double roughness = 1; ///< perceptual
 };
 
-/// As shaders/passes/planet.frag colours it, in the same single precision. `place`: world [m], on the body; `footprint`
-/// [m]: how wide a pixel is there.
+/// As shaders/passes/planet.frag colours a procedural one, in the same single precision. `place`: world [m], on the
+/// body; `footprint` [m]: how wide a pixel is there.
 BodyLook look_of_body(Planet const& planet, glm::dvec3 const& place, double footprint);
 
 } // namespace alpenglow

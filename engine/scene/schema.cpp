@@ -147,7 +147,8 @@ Json air_schema() {
 
 std::string planet_schema_text() {
     Json ground{{"look", {{"type", "string"}, {"enum", {"uniform", "procedural"}}}}};
-    ground["albedo"] = triple_schema(json::ALBEDO, "mean of the ground; where the look is uniform, of a matte ground all round");
+    ground["albedo"] =
+        triple_schema(json::ALBEDO, "mean of the ground; where the look is uniform, of a matte ground all round");
     Json sun{{"irradiance", triple_schema(json::IRRADIANCE, "above the air, relative")}};
     sun["angular_radius"] = number_schema(json::SUN_RADIUS);
     Json properties{{"$schema", text_schema("this schema, for editors")},

@@ -35,6 +35,8 @@ std::vector<Refusal> rows() {
         wrong_use("terrain_without_an_end", {"terrain", "--out", "terrain.obj"}, {"terrain.obj", ".gltf"}),
         wrong_use("terrain_of_no_size", {"terrain", "--side", "0", "--out", "t.glb"}, {"--side"}),
         wrong_use("terrain_too_large", {"terrain", "--side", "999", "--out", "t.glb"}, {"side", "400"}),
+        wrong_use("unknown_model", {"evaluate", "--model", "default", "bruneton"}, {"--model", "bruneton", "the models are: default"}),
+        wrong_use("evaluate_unknown_setting", {"evaluate", "--set", "sampels=8"}, {"sampels", "samples"}),
         wrong_use("compare_one_picture", {"compare", "a.exr"}, {"REFERENCE", "compare --help"}),
         wrong_use("compare_at_no_exposure", {"compare", "a.exr", "b.exr", "--exposure", "nan"}, {"--exposure", "nan"}),
         wrong_use("line_break_in_a_name", {"render", "view.json", "--set", "a\nalpenglow: b=1"}, {"a alpenglow: b"}),
@@ -52,7 +54,7 @@ INSTANTIATE_TEST_SUITE_P(Use, WrongCommandLine, testing::ValuesIn(rows()), test:
 /// The other side of the table: what is asked for in order is no error.
 TEST(CommandLine, help_and_version_go_to_stdout) {
     for (std::vector<std::string> const& arguments :
-         {std::vector<std::string>{"--help"}, {"--version"}, {"fly", "--help"}, {"render", "--help"}, {"terrain", "--help"}, {"bench", "--help"}, {"compare", "--help"}, {"devices", "--help"}}) {
+         {std::vector<std::string>{"--help"}, {"--version"}, {"fly", "--help"}, {"render", "--help"}, {"terrain", "--help"}, {"bench", "--help"}, {"compare", "--help"}, {"evaluate", "--help"}, {"devices", "--help"}}) {
         test::ProcessResult const result = test::run({.program = ALPENGLOW_PROGRAM, .arguments = arguments});
         EXPECT_EQ(result.exit_code, 0) << arguments.front();
         EXPECT_NE(result.output, "") << arguments.front();

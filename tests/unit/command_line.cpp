@@ -106,6 +106,23 @@ TEST(CommandLine, terrain_and_bench_and_devices) {
     EXPECT_TRUE(std::holds_alternative<DevicesOptions>(parse("devices")));
 }
 
+TEST(CommandLine, evaluate_takes_lists_of_views_and_known_models) {
+    auto const all = std::get<EvaluateOptions>(parse("evaluate"));
+    EXPECT_TRUE(all.views.empty() && all.models.empty() && !all.json && !all.references && !all.check);
+    auto const some = std::get<EvaluateOptions>(parse("evaluate --views a.json b.json --model default --references r --heatmaps h "
+                                                      "--document d.md --check c.md --set samples=64 --json"));
+    EXPECT_EQ(some.views, (std::vector<std::filesystem::path>{"a.json", "b.json"}));
+    EXPECT_EQ(some.models, (std::vector<std::string>{"default"}));
+    EXPECT_EQ(some.references, "r");
+    EXPECT_EQ(some.heatmaps, "h");
+    EXPECT_EQ(some.document, "d.md");
+    EXPECT_EQ(some.check, "c.md");
+    EXPECT_EQ(some.overrides, (std::vector<Override>{{"samples", "64"}}));
+    EXPECT_TRUE(some.json);
+    expect_refused("evaluate --model hillaire", "there is no model 'hillaire' (the models are: default)");
+    expect_refused("evaluate --views", "--views");
+}
+
 TEST(CommandLine, compare_takes_two_pictures) {
     auto const plain = std::get<CompareOptions>(parse("compare test.exr reference.exr"));
     EXPECT_EQ(plain.test, "test.exr");
@@ -124,7 +141,7 @@ TEST(CommandLine, every_command_has_help) {
     EXPECT_NE(std::get<TextToPrint>(parse("--help")).text.find("render"), std::string::npos);
     EXPECT_EQ(std::get<TextToPrint>(parse("--version")).text.find("alpenglow "), 0u);
     for (auto const& [command, option] : {std::pair{"fly", "--headless"}, std::pair{"render", "--format"}, std::pair{"terrain", "--seed"},
-                                          std::pair{"bench", "--json"}, std::pair{"compare", "--heatmap"}}) {
+                                          std::pair{"bench", "--json"}, std::pair{"compare", "--heatmap"}, std::pair{"evaluate", "--model"}}) {
         std::string const help = std::get<TextToPrint>(parse(std::string(command) + " --help")).text;
         EXPECT_NE(help.find(std::string("alpenglow ") + command), std::string::npos) << help;
         EXPECT_NE(help.find(option), std::string::npos) << help;

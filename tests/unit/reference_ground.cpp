@@ -127,15 +127,15 @@ TEST(ReferenceGround, cameras_see_the_look_and_later_light_the_mean_albedo) {
     ASSERT_TRUE(seen && met);
     double const footprint = PIXEL * seen->distance / std::sqrt(-glm::dot(seen->facing, direction));
     BodyLook const look = look_of_body(planet, origin + seen->distance * direction, footprint);
-    EXPECT_FALSE(seen->lambertian);
+    EXPECT_EQ(seen->surface.gloss, 1);
     EXPECT_LT(glm::distance(seen->surface.diffuse, look.albedo), 1e-6);
     EXPECT_NE(look.albedo, planet.ground_albedo);
-    EXPECT_TRUE(met->lambertian);
+    EXPECT_EQ(met->surface.gloss, 0);
     EXPECT_EQ(met->surface.diffuse, planet.ground_albedo);
 
     planet.look = GroundLook::uniform;
     auto const plain = Ground(planet, nullptr, {}).first_hit(origin, direction, NO_END, PIXEL);
-    EXPECT_FALSE(plain->lambertian); // as the renderer shades it: with the gloss of rough stone
+    EXPECT_EQ(plain->surface.gloss, 0); // as the renderer shades it
     EXPECT_EQ(plain->surface.diffuse, planet.ground_albedo);
 }
 

@@ -101,7 +101,7 @@ TEST(ReferenceScattering, a_smooth_metal_loses_next_to_nothing) {
 
 TEST(ReferenceScattering, a_lambertian_place_gives_its_albedo_with_every_sample) {
     GroundPoint point = flat(glm::dvec3(1), 0, 1);
-    point.lambertian = true;
+    point.surface.gloss = 0;
     point.surface.diffuse = glm::dvec3(0.25, 0.5, 1.0);
     for (double const angle : {0.0, 0.8, 1.57}) {
         for (int i = 0; i < 1000; ++i) {
