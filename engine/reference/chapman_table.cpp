@@ -10,9 +10,9 @@ namespace alpenglow {
 
 namespace {
 
-constexpr int RADII = 16;     ///< on which the nodes hardly depend: interpolated linearly
-constexpr int COSINES = 96;   ///< in x = width / (mu + width), even from 0 to 1
-constexpr int POINTS = 6;     ///< of the interpolation in x
+constexpr int RADII = 8;      ///< on which the nodes hardly depend: interpolated linearly
+constexpr int COSINES = 384;  ///< in x = width / (mu + width), even from 0 to 1
+constexpr int POINTS = 4;     ///< of the interpolation in x
 
 /// Cosine with the horizon below which the planet's curvature counts: sqrt(2 H / (pi r)). The path is nearly
 /// H / (mu + width).
@@ -20,7 +20,7 @@ double width_of(double radius, double scale_height) { return std::sqrt(2 * scale
 
 /// By Gauss-Legendre panels in v, s = s_max v^2: dense where the ray starts.
 double integrate_path(double r, double mu, double scale_height) {
-    constexpr int panels = 40;
+    constexpr int panels = 24;
     double const gain = 42 * scale_height; // e^-42 is 6e-19
     double const longest = std::sqrt(r * r * mu * mu + 2 * r * gain + gain * gain) - r * mu;
     auto const integrand = [&](double v) {
@@ -65,10 +65,10 @@ template <int N> std::array<double, N> lagrange_weights(double x) {
 } // namespace
 
 ChapmanTable::ChapmanTable(double lowest, double highest, double scale_height)
-    : lowest_(lowest), scale_height_(scale_height), radius_step_((highest - lowest) / (RADII - 1)),
+    : lowest_(lowest), scale_height_(scale_height), rows_per_metre_((RADII - 1) / (highest - lowest)),
       nodes_(RADII * COSINES) {
     for (int i = 0; i < RADII; ++i) {
-        double const r = lowest + i * radius_step_, width = width_of(r, scale_height);
+        double const r = lowest + i / rows_per_metre_, width = width_of(r, scale_height);
         nodes_[i * COSINES] = 1 + scale_height / r; // the limit of endless mu: a climb c takes (c + c^2 / (2 r)) / mu
         for (int k = 1; k < COSINES; ++k) {
             double const x = double(k) / (COSINES - 1), mu = width / x - width;
@@ -79,7 +79,8 @@ ChapmanTable::ChapmanTable(double lowest, double highest, double scale_height)
 
 double ChapmanTable::path(double radius, double mu) const {
     double const width = width_of(radius, scale_height_);
-    double const row = (radius - lowest_) / radius_step_, column = width / (mu + width) * (COSINES - 1);
+    double const over = 1 / (mu + width);
+    double const row = (radius - lowest_) * rows_per_metre_, column = width * over * (COSINES - 1);
     int const first_row = std::clamp(static_cast<int>(row), 0, RADII - 2);
     int const first_column = std::clamp(static_cast<int>(column) - POINTS / 2 + 1, 0, COSINES - POINTS);
     double const between = row - first_row;
@@ -87,7 +88,7 @@ double ChapmanTable::path(double radius, double mu) const {
     double const* const node = &nodes_[first_row * COSINES + first_column];
     double sum = 0;
     for (int k = 0; k < POINTS; ++k) sum += columns[k] * ((1 - between) * node[k] + between * node[k + COSINES]);
-    return sum * scale_height_ / (mu + width);
+    return sum * scale_height_ * over;
 }
 
 } // namespace alpenglow

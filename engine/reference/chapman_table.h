@@ -15,7 +15,7 @@ public:
     double path(double radius, double mu) const;
 
 private:
-    double lowest_, scale_height_, radius_step_;
+    double lowest_, scale_height_, rows_per_metre_;
     std::vector<double> nodes_; ///< path / H * (mu + width), row by row of the radius
 };
 
