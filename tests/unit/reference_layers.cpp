@@ -120,8 +120,8 @@ TEST(ReferenceLayers, camera_and_sun_change_places) {
     std::uint64_t seed = 300;
     for (auto const& [a, b, azimuth] : {std::tuple{0.2, 0.9, 0.3}, {0.35, 0.6, 2.0}, {0.5, 1.0, 0.0}}) {
         TracedWorld const there(grey, mixture, beam(b), 0), back(grey, mixture, beam(a), 0);
-        Measured const x = reflected(there.tracer, a, azimuth, 192, seed++);
-        Measured const y = reflected(back.tracer, b, azimuth, 192, seed++);
+        Measured const x = reflected(there.tracer, a, azimuth, 512, seed++);
+        Measured const y = reflected(back.tracer, b, azimuth, 512, seed++);
         for (int c = 0; c < 3; ++c) {
             double const deviation = std::hypot(x.deviation[c] / b, y.deviation[c] / a);
             EXPECT_NEAR(x.mean[c] / b, y.mean[c] / a, BOUND * deviation + curvature(a) * x.mean[c] / b)
