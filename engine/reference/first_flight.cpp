@@ -109,7 +109,7 @@ FirstFlight::Light FirstFlight::light_at(Surroundings const& around, double dist
     }
     glm::dvec3 const seen = exp(start_ - depth_.at(distance)), place = ray_.at(distance);
     double const plain = mean(seen * scattering);
-    return {mean(seen * towards_camera * around.sun.unshadowed(place)), plain * around.guide.brightness(place), plain};
+    return {mean(seen * towards_camera * around.sun.unshadowed(place)), plain * around.guide.at(place).diffuse, plain};
 }
 
 std::vector<FirstFlight::Cell> FirstFlight::make_cells(Surroundings const& around,

@@ -10,8 +10,9 @@ namespace alpenglow {
 namespace {
 
 constexpr int SHELLS = 14;
-constexpr int LONGEST_PIECES = 4;       ///< of a ray in a shell
+constexpr int LONGEST_PIECES = 8;       ///< of a ray in a shell
 constexpr double PIECE_LENGTH = 60'000; ///< [m] along it the sun's height changes by half a degree
+constexpr double PIECE_DEPTH = 0.5;     ///< optical; a piece may be more where there are not enough of them
 constexpr int MOST_PIECES = 2 * SHELLS * LONGEST_PIECES;
 constexpr double PLAIN_SHARE = 0.2;     ///< of the choices, made without regard to brightness
 
@@ -47,13 +48,14 @@ LedFlight::Choice LedFlight::choose(Ray const& ray, double from, double to, glm:
         Shell const& shell = shells_[walk.shell()];
         double const scattering = dot(share, shell.scattering), extinction = dot(share, shell.extinction);
         double const length = walk.end() - walk.begin();
-        int const parts = std::clamp(static_cast<int>(length / PIECE_LENGTH) + 1, 1, LONGEST_PIECES);
+        double const wanted = std::max(length / PIECE_LENGTH, extinction * length / PIECE_DEPTH);
+        int const parts = 1 + static_cast<int>(std::min(wanted, LONGEST_PIECES - 1.0));
         for (int i = 0; i < parts && count < pieces.size(); ++i) {
             double const step = length / parts, begin = walk.begin() + i * step;
             depth += extinction * step;
             Piece& piece = pieces[count++];
             piece = {begin, begin + step, scattering * step * std::exp(0.5 * extinction * step - depth) + 1e-300 * step, 0};
-            piece.bright = piece.plain * guide_->brightness(ray.at(begin + 0.5 * step));
+            piece.bright = piece.plain * guide_->at(ray.at(begin + 0.5 * step)).all();
             plain += piece.plain;
             bright += piece.bright;
         }

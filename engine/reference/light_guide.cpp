@@ -41,30 +41,30 @@ Pick pick(float const* cumulative, int count, double u) {
 } // namespace
 
 LightGuide::LightGuide(Medium const& medium, Sunlight const& sun)
-    : radius_(medium.radius), top_(medium.top), to_sun_(sun.source().to_sun), brightness_(NODES, 1.0) {
+    : radius_(medium.radius), top_(medium.top), to_sun_(sun.source().to_sun), light_(NODES, Light{1, 1}) {
     std::vector<float> bins(NODES * BINS, 0.0f); // none lit: all directions alike
     bool const dark = sun.source().irradiance == glm::dvec3(0) || medium.components.empty();
     if (!dark) {
         glm::dvec3 across, other;
         make_basis(to_sun_, across, other);
-        std::vector<double> direct;
+        double brightest = 0;
         for (int node = 0; node < NODES; ++node) {
             double const x = double(node / SUNS) / (ALTITUDES - 1), cosine = cosine_at(double(node % SUNS) / (SUNS - 1));
             glm::dvec3 const up = to_sun_ * cosine + across * std::sqrt(1 - cosine * cosine);
-            direct.push_back(mean(sun.unshadowed(up * (radius_ + top_ * x * x))));
+            light_[node] = {mean(sun.unshadowed(up * (radius_ + top_ * x * x))), 0};
+            brightest = std::max(brightest, light_[node].direct);
         }
-        double const least = LEAST * *std::ranges::max_element(direct);
-        brightness_ = direct;
         for (int order = 0; order < 3; ++order) {
-            for (double& value : brightness_) value = std::max(value, least);
             gather(medium, bins);
             for (int node = 0; node < NODES; ++node) {
-                double fluence = 0; // bins are radiance times their solid angle
-                for (int bin = 0; bin < BINS; ++bin) fluence += double(bins[node * BINS + bin]);
-                brightness_[node] = direct[node] + fluence;
+                light_[node].diffuse = 0; // bins are radiance times their solid angle
+                for (int bin = 0; bin < BINS; ++bin) light_[node].diffuse += double(bins[node * BINS + bin]);
             }
         }
-        for (double& value : brightness_) value = std::max(value, least);
+        for (Light& light : light_) {
+            light.direct = std::max(light.direct, LEAST * brightest);
+            light.diffuse = std::max(light.diffuse, LEAST * brightest);
+        }
     }
     set_shares(bins);
 }
@@ -91,17 +91,19 @@ void LightGuide::gather(Medium const& medium, std::vector<float>& bins) const {
                 double const t0 = end * i * i / (STEPS * STEPS), t1 = end * (i + 1) * (i + 1) / (STEPS * STEPS);
                 glm::dvec3 const at = ray.at(0.5 * (t0 + t1));
                 double const altitude = length(at) - radius_;
-                double scattering = 0, extinction = 0;
+                Light const there = this->at(at);
+                double scattered = 0, extinction = 0;
                 for (Component const& component : medium.components) {
-                    double const there = density(component.profile, altitude) * (t1 - t0);
-                    scattering += mean(component.scattering) * there;
-                    extinction += mean(component.extinction) * there;
+                    double const column = density(component.profile, altitude) * (t1 - t0);
+                    double const straight = phase_value(component.phase, dot(direction, to_sun_));
+                    scattered += mean(component.scattering) * column * (there.direct * straight + there.diffuse / (4 * M_PI));
+                    extinction += mean(component.extinction) * column;
                 }
-                light += scattering * std::exp(-depth - 0.5 * extinction) * brightness(at);
+                light += scattered * std::exp(-depth - 0.5 * extinction);
                 depth += extinction;
             }
             double const solid_angle = 2 * M_PI / COLUMNS * (cosine_at(s1) - cosine_at(s0));
-            bins[node * BINS + bin] = static_cast<float>(light / (4 * M_PI) * solid_angle);
+            bins[node * BINS + bin] = static_cast<float>(light * solid_angle);
         }
     }
 }
@@ -137,12 +139,16 @@ LightGuide::Grid LightGuide::grid_at(glm::dvec3 const& place) const {
             std::clamp(place_of_cosine(cosine), 0.0, 1.0) * (SUNS - 1)};
 }
 
-double LightGuide::brightness(glm::dvec3 const& place) const {
+LightGuide::Light LightGuide::at(glm::dvec3 const& place) const {
     Grid const grid = grid_at(place);
     int const i = std::min(static_cast<int>(grid.row), ALTITUDES - 2), k = std::min(static_cast<int>(grid.column), SUNS - 2);
     double const y = grid.row - i, x = grid.column - k;
-    double const* const node = &brightness_[i * SUNS + k];
-    return (1 - y) * ((1 - x) * node[0] + x * node[1]) + y * ((1 - x) * node[SUNS] + x * node[SUNS + 1]);
+    Light const* const node = &light_[i * SUNS + k];
+    auto const between = [&](double Light::*part) {
+        return (1 - y) * ((1 - x) * node[0].*part + x * node[1].*part) +
+               y * ((1 - x) * node[SUNS].*part + x * node[SUNS + 1].*part);
+    };
+    return {between(&Light::direct), between(&Light::diffuse)};
 }
 
 LightGuide::Directions::Directions(LightGuide const& guide, glm::dvec3 const& place)

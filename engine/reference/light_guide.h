@@ -9,14 +9,20 @@ namespace alpenglow {
 
 /// Roughly how bright the air is in which place, and from which directions light arrives there: what light paths are led
 /// by. Wrong values cost noise, never truth. Places are told apart by altitude and the sun's zenith angle, directions by
-/// their angles with the zenith and, around it, with the sun; light is grey here, air scatters evenly, ground is black.
+/// their angles with the zenith and, around it, with the sun; light is grey here, ground is black, and what
+/// was scattered once is scattered evenly ever after.
 class LightGuide {
 public:
     /// Even light where there is no sun. Takes some tenths of a second.
     LightGuide(Medium const& medium, Sunlight const& sun);
 
-    /// Of sunlight and of all that is scattered; relative, above 0.
-    double brightness(glm::dvec3 const& place) const;
+    /// Sunlight and what is scattered, relative, each above 0.
+    struct Light {
+        double direct, diffuse;
+
+        double all() const { return direct + diffuse; }
+    };
+    Light at(glm::dvec3 const& place) const;
 
     /// What is known of the directions at one place.
     class Directions {
@@ -47,7 +53,7 @@ private:
 
     double radius_, top_;
     glm::dvec3 to_sun_;
-    std::vector<double> brightness_; ///< for each node
+    std::vector<Light> light_;  ///< for each node
     std::vector<float> shares_;      ///< NODE_SIZE for each node
 };
 

@@ -16,7 +16,7 @@ constexpr std::size_t MOST_COMPONENTS = 16;
 /// multiply to rare, large ones.
 constexpr int LED_EVENTS = 3;
 constexpr double LED_SHARE = 0.5; ///< of the turns in air that go where light comes from
-constexpr double THIN = 0.2; ///< share of a flight's light that gets through, above which its collision is forced
+constexpr double THIN = 0.002; ///< share of a flight's light that gets through, above which its collision is forced
 
 double sum(glm::dvec3 const& color) { return color.x + color.y + color.z; }
 
@@ -235,9 +235,9 @@ bool PathTracer::fly_tracked(Path& path, Ray const& ray, Span const& air, DepthA
 /// Russian roulette on paths that promise less than a tenth of what they did at first: by the light they carry to an
 /// event and, while they are led, by how much brighter or darker it is there than at the first.
 bool PathTracer::survives(Path& path, double light) const {
-    if (path.events == 0) path.first_light = light, path.first_brightness = guide_.brightness(path.place);
+    if (path.events == 0) path.first_light = light, path.first_brightness = guide_.at(path.place).all();
     double promise = light;
-    if (path.events <= LED_EVENTS) promise *= std::sqrt(guide_.brightness(path.place) / path.first_brightness);
+    if (path.events <= LED_EVENTS) promise *= std::sqrt(guide_.at(path.place).all() / path.first_brightness);
     double const least = 0.1 * path.first_light;
     if (!(promise > 0)) return false;
     if (promise >= least) return true;
