@@ -25,6 +25,8 @@ public:
 
     /// `ground` must outlive this. Throws Error(bad_input) for a medium with more than 16 components.
     PathTracer(Medium const& medium, Ground const& ground, LightSource const& light, Options const& options);
+    PathTracer(PathTracer const&) = delete;
+    PathTracer& operator=(PathTracer const&) = delete;
 
     struct Estimate {
         glm::dvec3 radiance{0};

@@ -11,7 +11,7 @@ namespace alpenglow {
 
 namespace {
 
-constexpr std::uint32_t PATHS_OF_RAY = 16; ///< of a camera's ray, whose own work is shared by them
+constexpr std::uint32_t PATHS_OF_RAY = 8; ///< of a camera's ray, whose own work is shared by them
 constexpr std::size_t HEADER_BYTES = 4 * sizeof(std::int64_t);
 
 glm::dvec3 ray_direction(Camera const& camera, Extent size, double x, double y) {
