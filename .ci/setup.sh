@@ -5,6 +5,7 @@ BUILD_PACKAGES=(
     g++ cmake ninja-build pkg-config glslang-tools
     libvulkan-dev libglfw3-dev libimgui-dev libglm-dev libfmt-dev libcli11-dev nlohmann-json3-dev
     libtinygltf-dev libstb-dev libopenexr-dev zlib1g-dev liberfa-dev libembree-dev libgtest-dev
+    libdraco-dev libmeshoptimizer-dev libwebp-dev
 )
 # To run the program: a Vulkan driver for machines without a GPU, and with most of those.
 RUN_PACKAGES=(mesa-vulkan-drivers)

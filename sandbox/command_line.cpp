@@ -140,10 +140,18 @@ void require_model(std::string const& name) {
     throw Error(ErrorKind::wrong_use, "--model: there is no model '" + name + "'", {}, "the models are: " + names);
 }
 
-void add_scene_option(CLI::App& app, std::string const& name, std::optional<std::string>& scene) {
+void add_scene_index(CLI::App& app, std::optional<int>& index) {
     add_value(
-        app, name, "SCENE", [&](std::string const& t) { scene = t; },
+        app, "--scene-index", "N",
+        [&](std::string const& t) { index = static_cast<int>(parse_integer("--scene-index", t, 0, 1'000'000)); },
+        "which of the file's scenes; the file's default unless given");
+}
+
+void add_scene_option(CLI::App& app, std::string const& name, DrawOptions& options) {
+    add_value(
+        app, name, "SCENE", [&](std::string const& t) { options.scene = t; },
         "glTF file, or 'default' for the generated terrain");
+    add_scene_index(app, options.scene_index);
 }
 
 /// The program's arguments, one subcommand for each command, and what they say.
@@ -159,6 +167,7 @@ public:
         add_bench();
         add_compare();
         add_evaluate();
+        add_inspect();
         app_.add_subcommand("devices", "Lists the Vulkan devices: which is chosen, which refused, and why")
             ->callback([this] { command_ = DevicesOptions{}; });
     }
@@ -197,7 +206,7 @@ private:
 
     void add_fly() {
         CLI::App& app = *app_.add_subcommand("fly", "Flies: in a window where there is a display, else to pictures");
-        add_scene_option(app, "scene", fly_.scene);
+        add_scene_option(app, "scene", fly_);
         add_value(
             app, "--flight", "F.json", [this](std::string const& t) { fly_.flight = t; },
             "flight file; the default flight unless given");
@@ -212,7 +221,7 @@ private:
     void add_render() {
         CLI::App& app = *app_.add_subcommand("render", "Renders each view to a picture named after its file");
         add_views(app, render_.views);
-        add_scene_option(app, "--scene", render_.scene);
+        add_scene_option(app, "--scene", render_);
         add_size(app, render_.size);
         add_path(app, "--out", "DIR", render_.out, "folder; out/render unless given");
         add_value(
@@ -285,7 +294,7 @@ private:
     void add_bench() {
         CLI::App& app = *app_.add_subcommand("bench", "Measures each pass: medians over some frames");
         add_views(app, bench_.views);
-        add_scene_option(app, "--scene", bench_.scene);
+        add_scene_option(app, "--scene", bench_);
         add_size(app, bench_.size);
         add_frames(app, bench_.frames, "measured frames, after warm-up; 10 unless given");
         app.add_flag("--json", bench_.json, "prints JSON");
@@ -306,6 +315,14 @@ private:
             "a picture of FLIP's error of each pixel");
         app.add_flag("--json", compare_.json, "prints JSON");
         app.callback([this] { command_ = compare_; });
+    }
+
+    void add_inspect() {
+        CLI::App& app = *app_.add_subcommand("inspect", "Says what a glTF scene holds, and what of it is left out");
+        add_picture(app, "SCENE", inspect_.scene, "glTF file");
+        add_scene_index(app, inspect_.scene_index);
+        app.add_flag("--json", inspect_.json, "prints JSON");
+        app.callback([this] { command_ = inspect_; });
     }
 
     void add_evaluate() {
@@ -340,6 +357,7 @@ private:
     BenchOptions bench_;
     CompareOptions compare_;
     EvaluateOptions evaluate_;
+    InspectOptions inspect_;
     Command command_;
 };
 

@@ -37,6 +37,7 @@ struct PlacementOptions {
 /// The options that every command which draws has.
 struct DrawOptions {
     std::optional<std::string> scene;  ///< path, "default", or empty text for none
+    std::optional<int> scene_index;    ///< which of the file's scenes
     std::optional<std::string> planet; ///< name in assets/planets, or a path
     PlacementOptions placement;
     std::vector<Override> overrides;
@@ -102,6 +103,12 @@ struct ReferenceOptions {
     bool resume = false;
 };
 
+struct InspectOptions {
+    std::filesystem::path scene;
+    std::optional<int> scene_index; ///< which of the file's scenes
+    bool json = false;
+};
+
 struct DevicesOptions {};
 
 /// Each returns the exit code, and throws Error.
@@ -112,6 +119,7 @@ int compare(CompareOptions const& options);
 int evaluate(EvaluateOptions const& options);
 int terrain(TerrainCommandOptions const& options);
 int reference(ReferenceOptions const& options);
+int inspect(InspectOptions const& options);
 int devices(DevicesOptions const& options);
 
 } // namespace alpenglow

@@ -26,6 +26,7 @@ int run(Command const& command) {
                    [](TerrainCommandOptions const& o) { return terrain(o); },
                    [](BenchOptions const& o) { return bench(o); }, [](CompareOptions const& o) { return compare(o); },
                    [](EvaluateOptions const& o) { return evaluate(o); },
+                   [](InspectOptions const& o) { return inspect(o); },
                    [](DevicesOptions const& o) { return devices(o); }},
         command);
 }

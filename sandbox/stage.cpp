@@ -18,7 +18,7 @@ DeviceOptions device_options(DrawOptions const& options, DeviceOptions device) {
 }
 
 std::string scene_key(View const& view, Placement const& placement) {
-    return fmt::format("{} {} {} {} {} {} {} {}", view.scene, placement.anchor.latitude, placement.anchor.longitude,
+    return fmt::format("{} {} {} {} {} {} {} {} {}", view.scene, view.scene_index.value_or(-1), placement.anchor.latitude, placement.anchor.longitude,
                        placement.anchor.altitude, placement.yaw, placement.scale, placement.curve,
                        view.settings.largest_texture);
 }
@@ -30,6 +30,7 @@ Stage::Stage(DrawOptions const& options, DeviceOptions device, std::uint32_t fra
 
 View Stage::dressed(View view) const {
     if (options_.scene) view.scene = *options_.scene;
+    if (options_.scene_index) view.scene_index = options_.scene_index;
     if (options_.planet) view.planet = *options_.planet;
     options_.placement.apply_to(view.placement);
     apply_overrides(view.settings, options_.overrides);
@@ -42,9 +43,14 @@ World Stage::prepare(View const& view) {
         planet_name_ = view.planet;
         scene_key_.clear();
     }
-    World const world = make_world(view, planet_);
+    // A camera that is inside the planet is found before a scene is loaded, but for the scene's own.
+    if (view.scene_camera.empty()) {
+        World const world = make_world(view, planet_);
+        require_scene(view);
+        return world;
+    }
     require_scene(view);
-    return world;
+    return make_world(with_scene_camera(view, cameras_, planet_.radius), planet_);
 }
 
 void Stage::draw(View const& view, World const& world, Extent size, Renderer::Finish const& finish,
@@ -69,6 +75,7 @@ void Stage::require_scene(View const& view) {
     ground_.reset();
     std::optional<Scene> const scene = load_scene(view, planet_.radius);
     renderer_.set_scene(scene ? &*scene : nullptr, placement, planet_.radius);
+    cameras_ = scene ? scene->cameras : std::vector<SceneCamera>{};
     if (scene && follows_ground_) ground_.emplace(*scene, placement, planet_.radius);
     scene_key_ = key;
 }

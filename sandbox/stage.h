@@ -45,6 +45,7 @@ private:
     std::string planet_name_;
     Planet planet_;
     std::string scene_key_;
+    std::vector<SceneCamera> cameras_; ///< of that scene
     bool follows_ground_ = false;
     std::optional<GroundQuery> ground_;
 };

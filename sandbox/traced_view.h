@@ -21,8 +21,8 @@ public:
     Planet const& planet() const { return world_.planet; }
 
 private:
-    World world_;
     std::optional<Scene> scene_;
+    World world_;
     Ground ground_;
     PathTracer tracer_;
 };

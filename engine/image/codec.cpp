@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "image/webp.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -105,6 +106,7 @@ std::vector<std::byte> encode_jpeg(ByteImage const& image, int quality) {
 void write_png(std::filesystem::path const& path, ByteImage const& image) { write_file(path, encode_png(image)); }
 
 PictureHeader read_picture_header(std::span<std::byte const> bytes) {
+    if (is_webp(bytes)) return read_webp_header(bytes);
     int width = 0, height = 0, channels = 0;
     if (!stbi_info_from_memory(data_of(bytes), length_of(bytes), &width, &height, &channels)) fail();
     PictureHeader header;
@@ -115,6 +117,7 @@ PictureHeader read_picture_header(std::span<std::byte const> bytes) {
 }
 
 ByteImage decode_picture(std::span<std::byte const> bytes) {
+    if (is_webp(bytes)) return decode_webp(bytes);
     int width = 0, height = 0, channels = 0;
     std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> const pixels(
         stbi_load_from_memory(data_of(bytes), length_of(bytes), &width, &height, &channels, 4), stbi_image_free);

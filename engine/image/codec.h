@@ -15,7 +15,7 @@ std::vector<std::byte> encode_png(ByteImage const& image);
 std::vector<std::byte> encode_jpeg(ByteImage const& image, int quality);
 void write_png(std::filesystem::path const& path, ByteImage const& image);
 
-/// What a PNG's or JPEG's header says, without decoding. Throws Error(bad_input) where it is neither.
+/// What the header of a PNG, JPEG or WebP says, without decoding. Throws Error(bad_input) where it is none of them.
 struct PictureHeader {
     Extent extent;
     int channels = 0;
@@ -23,7 +23,7 @@ struct PictureHeader {
 };
 PictureHeader read_picture_header(std::span<std::byte const> bytes);
 
-/// Decodes a PNG or JPEG to 8-bit RGBA as stored (no colour conversion). Throws Error(bad_input).
+/// Decodes a PNG, JPEG or WebP to 8-bit RGBA as stored (no colour conversion). Throws Error(bad_input).
 ByteImage decode_picture(std::span<std::byte const> bytes);
 ByteImage read_picture(std::filesystem::path const& path);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 
 namespace alpenglow {
 
@@ -44,7 +45,8 @@ glm::dvec2 texels_from_uv(Picture const& picture, glm::dvec2 const& uv) {
 }
 
 glm::dvec2 uv_at(Texture const& texture, TrianglePlace const& place) {
-    return place.mixed(texture.uv_set != 0 ? &Vertex::uv1 : &Vertex::uv0);
+    glm::dvec2 const own = place.mixed(texture.uv_set != 0 ? &Vertex::uv1 : &Vertex::uv0);
+    return glm::dmat3x2(texture.uv_from_vertex) * glm::dvec3(own, 1);
 }
 
 glm::dvec4 base_color_at(Scene const& scene, Material const& material, TrianglePlace const& place) {
@@ -79,7 +81,7 @@ glm::dmat3 frame_from_edges(TrianglePlace const& place, Texture const& texture, 
     for (std::size_t i = 0; i < 2; ++i) {
         Vertex const &first = *place.corners[0], &other = *place.corners[i + 1];
         edges[i] = world_from_mesh * (glm::dvec3(other.position) - glm::dvec3(first.position));
-        uv_edges[i] = glm::dvec2(other.*uv) - glm::dvec2(first.*uv);
+        uv_edges[i] = glm::dmat2(texture.uv_from_vertex) * (glm::dvec2(other.*uv) - glm::dvec2(first.*uv));
     }
     double const handed = glm::dot(glm::cross(edges[0], edges[1]), n) >= 0 ? 1 : -1;
     glm::dvec3 const across_second = glm::cross(edges[1], n), across_first = glm::cross(n, edges[0]);
@@ -116,14 +118,17 @@ bool cut_out(Scene const& scene, Material const& material, TrianglePlace const& 
 }
 
 shader_double::Surface surface_at(Scene const& scene, Material const& material, TrianglePlace const& place) {
+    if (material.unlit) return shader_double::make_surface(glm::dvec3(0), 0, 1, 0);
     glm::dvec3 const color = glm::clamp(glm::dvec3(base_color_at(scene, material, place)), 0.0, 1.0);
     glm::dvec4 const texture = sample_texture(scene, material.metallic_roughness_texture, place, false);
     double const metalness = std::clamp(material.metallic * texture.b, 0.0, 1.0);
     double const roughness = std::clamp(material.roughness * texture.g, 0.0, 1.0);
-    return shader_double::make_surface(color, metalness, roughness);
+    double const gloss = glm::mix<double>(material.specular, 1, metalness);
+    return shader_double::make_surface(color, metalness, roughness, gloss, material.reflectance);
 }
 
 glm::dvec3 emission_at(Scene const& scene, Material const& material, TrianglePlace const& place) {
+    if (material.unlit) return glm::dvec3(base_color_at(scene, material, place)) / std::numbers::pi;
     if (material.emission == glm::vec3(0)) return glm::dvec3(0);
     return glm::dvec3(material.emission) * glm::dvec3(sample_texture(scene, material.emission_texture, place, true));
 }

@@ -30,9 +30,14 @@ shader::MaterialConstants constants_of(Material const& material) {
     constants.alpha_cutoff = material.alpha_cutoff;
     constants.flags = (material.alpha_mask ? MATERIAL_ALPHA_MASK : 0) |
                       (material.double_sided ? MATERIAL_DOUBLE_SIDED : 0) |
-                      (material.normal_texture ? MATERIAL_NORMAL_MAP : 0);
+                      (material.normal_texture ? MATERIAL_NORMAL_MAP : 0) | (material.unlit ? MATERIAL_UNLIT : 0);
+    constants.specular = material.specular;
+    constants.reflectance = material.reflectance;
     auto const textures = textures_of(material);
-    for (std::size_t i = 0; i < textures.size(); ++i) constants.uv_sets |= textures[i]->uv_set << i;
+    for (std::size_t i = 0; i < textures.size(); ++i) {
+        constants.uv_sets |= textures[i]->uv_set << i;
+        constants.uv_from_vertex[i] = textures[i]->uv_from_vertex;
+    }
     return constants;
 }
 

@@ -38,6 +38,8 @@ inline constexpr NumberKey ANCHOR_ALTITUDE{"altitude", -1e4, 1e7, "metres above 
 inline constexpr NumberKey YAW{"yaw", -360, 360, "degrees clockwise seen from above", false, 0.0};
 inline constexpr NumberKey SCALE{"scale", 1e-6, 1e6, "metres for a unit of the scene", false, 1.0};
 
+inline constexpr NumberKey SCENE_INDEX{"index", 0, 1e6, "which of the file's scenes; its default where left out"};
+
 inline constexpr NumberKey TIME{"time", 0, 1e6, "seconds from the start of the flight"};
 inline constexpr NumberKey GROUND{"ground", 0, 1e9, "altitude in metres from which climbs are logarithmic", false, 0.0};
 

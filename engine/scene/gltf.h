@@ -3,16 +3,30 @@
 #include "scene/scene.h"
 
 #include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace alpenglow {
 
 struct GltfOptions {
     int largest_texture = 4096; ///< [texels] larger pictures are halved until they fit, with a warning
+    std::optional<int> scene_index = {}; ///< which of the file's scenes; the file's default unless given
+};
+
+/// What a file holds beyond what is drawn.
+struct GltfSummary {
+    std::vector<std::string> scenes;               ///< names, in the file's order
+    int shown_scene = 0;
+    std::vector<std::string> extensions;           ///< used; required ones end in " (required)"
+    std::size_t animations = 0, skins = 0;
+    std::vector<std::string> lights;               ///< kind, name and strength of each
+    std::vector<std::string> warnings;             ///< what was left out or changed, a line each
 };
 
 /// Reads a .gltf or .glb file (by content, not by name). Bytes are checked before and after the parser; warnings go to
-/// the log. Throws Error(bad_input) with the file, the JSON pointer and the reason.
-Scene load_gltf(std::filesystem::path const& file, GltfOptions const& options = {});
+/// the log. Throws Error(bad_input) with the file, the JSON pointer and the reason. Fills `summary` where one is given.
+Scene load_gltf(std::filesystem::path const& file, GltfOptions const& options = {}, GltfSummary* summary = nullptr);
 
 /// Bends a scene made for a flat map plane to a planet: a vertex at horizontal distance d from the origin goes to the
 /// same arc length and altitude over the sphere whose top the origin touches. Each instance gets its own bent mesh,

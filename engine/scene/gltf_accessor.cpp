@@ -129,10 +129,13 @@ std::size_t element_size(Accessor const& accessor) {
     return (column + 3) / 4 * 4 * static_cast<std::size_t>(accessor.columns);
 }
 
+void check_views(Document const& document, Report const& report) {
+    for (std::size_t i = 0; i < document.views.size(); ++i) check_view(document, i, report);
+}
+
 void check_accessors(Document const& document, Report const& report) {
     std::uint64_t all_bytes = 0;
     for (auto const& buffer : document.buffers) all_bytes += buffer.size();
-    for (std::size_t i = 0; i < document.views.size(); ++i) check_view(document, i, report);
     for (std::size_t i = 0; i < document.accessors.size(); ++i) check_accessor(document, i, all_bytes, report);
 }
 

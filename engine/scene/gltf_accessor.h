@@ -10,7 +10,10 @@
 
 namespace alpenglow::gltf {
 
-/// Checks every buffer view against its buffer, every accessor against its views (ranges, strides, alignment, sparse
+/// Checks every buffer view against its buffer. Throws Error(bad_input).
+void check_views(Document const& document, Report const& report);
+
+/// Checks every accessor against its views (ranges, strides, alignment, sparse
 /// indices), in 64-bit arithmetic that can't overflow. Throws Error(bad_input).
 void check_accessors(Document const& document, Report const& report);
 

@@ -90,6 +90,12 @@ void curve_to_planet(Scene& scene, double planet_radius, double scale) {
         meshes.push_back(std::move(mesh));
     }
     scene.meshes = std::move(meshes);
+    for (SceneCamera& camera : scene.cameras) {
+        Bend const bend(glm::dvec3(camera.scene_from_camera[3]), planet_radius / scale);
+        for (int i = 0; i < 3; ++i)
+            camera.scene_from_camera[i] = glm::dvec4(bend.turn(glm::dvec3(camera.scene_from_camera[i])), 0);
+        camera.scene_from_camera[3] = glm::dvec4(bend.place(), 1);
+    }
     scene.bounds = scene_bounds(scene);
 }
 

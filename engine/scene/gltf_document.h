@@ -39,15 +39,24 @@ struct Accessor {
     std::optional<Sparse> sparse;
 };
 
+/// Where a primitive's compressed bytes are, and which Draco attribute stands for each of its own.
+struct DracoSource {
+    int view = no_index;
+    std::map<std::string, int> attributes;
+};
+
 struct Primitive {
     std::map<std::string, int> attributes; ///< accessor of each
     int indices = no_index, material = no_index;
     int mode = 4; ///< as glTF numbers them: 4 list, 5 strip, 6 fan
+    std::vector<std::map<std::string, int>> targets = {}; ///< accessors of what each morph target adds
+    std::optional<DracoSource> draco = {};
 };
 
 struct MeshSource {
     std::string name;
     std::vector<Primitive> primitives;
+    std::vector<double> weights = {}; ///< of the morph targets
 };
 
 struct Node {
@@ -55,6 +64,19 @@ struct Node {
     std::vector<int> children;
     int mesh = no_index;
     glm::dmat4 parent_from_node{1};
+    int skin = no_index, camera = no_index;
+    std::vector<double> weights = {}; ///< of its mesh's morph targets; none: the mesh's own
+};
+
+struct Skin {
+    std::vector<int> joints;             ///< nodes
+    int inverse_bind_matrices = no_index; ///< accessor; none: all identity
+};
+
+struct CameraSource {
+    std::string name;
+    double vertical_fov = 1; ///< [rad]
+    bool perspective = true;
 };
 
 /// Where a picture's encoded bytes are: in a view of a buffer, or at a URI.
@@ -72,6 +94,8 @@ struct Document {
     std::vector<Image> images;
     std::vector<MeshSource> meshes;
     std::vector<Node> nodes;
+    std::vector<Skin> skins;
+    std::vector<CameraSource> cameras;
     std::vector<int> roots; ///< nodes of the scene that is shown
     bool quantized = false; ///< KHR_mesh_quantization: attributes may be integers
 };

@@ -86,7 +86,7 @@ void MeshBuilder::claim(std::size_t index) {
         std::size_t const indices =
             static_cast<TriangleMode>(primitive.mode) == TriangleMode::list ? corners : 3 * corners;
         total_indices_ += indices;
-        if (!primitive.attributes.contains("NORMAL"))
+        if (!primitive.attributes.contains("NORMAL") || !primitive.targets.empty())
             total_vertices_ += std::max(count, indices);
         else if (known.insert(primitive.attributes).second)
             total_vertices_ += count;
@@ -98,18 +98,19 @@ void MeshBuilder::claim(std::size_t index) {
         report_.fail(pointer, fmt::format("is beyond the limit of {} vertices in all", most_vertices));
 }
 
-Mesh MeshBuilder::build(std::size_t index) {
+Mesh MeshBuilder::build(std::size_t index, Pose const& pose) {
     MeshSource const& source = document_.meshes[index];
     Mesh mesh;
     mesh.name = source.name;
     FirstVertices shared;
     for (std::size_t i = 0; i < source.primitives.size(); ++i) {
-        add_primitive(mesh, shared, source.primitives[i], fmt::format("/meshes/{}/primitives/{}", index, i));
+        add_primitive(mesh, shared, source.primitives[i], pose,
+                      fmt::format("/meshes/{}/primitives/{}", index, i));
     }
     return mesh;
 }
 
-void MeshBuilder::add_primitive(Mesh& mesh, FirstVertices& shared, Primitive const& primitive,
+void MeshBuilder::add_primitive(Mesh& mesh, FirstVertices& shared, Primitive const& primitive, Pose const& pose,
                                 std::string const& pointer) {
     if (primitive.mode < 4) return report_.warn("points and lines are left out");
     auto const position = primitive.attributes.find("POSITION");
@@ -118,7 +119,7 @@ void MeshBuilder::add_primitive(Mesh& mesh, FirstVertices& shared, Primitive con
     std::size_t const count = document_.accessors[static_cast<std::size_t>(position->second)].count;
     std::vector<std::uint32_t> indices = read_triangles(primitive, count);
     if (indices.empty()) return report_.warn("primitives without a whole triangle are left out");
-    std::uint32_t const first_vertex = add_vertices(mesh, shared, primitive, indices, pointer);
+    std::uint32_t const first_vertex = add_vertices(mesh, shared, primitive, pose, indices, pointer);
     for (std::uint32_t& corner : indices) corner += first_vertex;
 
     MeshPart part;
@@ -139,18 +140,20 @@ std::vector<std::uint32_t> MeshBuilder::read_triangles(Primitive const& primitiv
                                   : read_indices(document_, primitive.indices, vertices, report_));
 }
 
-/// Returns where the primitive's vertices begin. Primitives with the same attributes share them, unless their normals
-/// have to be made, which rewrites `indices`.
-std::uint32_t MeshBuilder::add_vertices(Mesh& mesh, FirstVertices& shared, Primitive const& primitive,
+/// Returns where the primitive's vertices begin. Primitives with the same attributes share them, unless they have morph
+/// targets or their normals have to be made, which rewrites `indices`.
+std::uint32_t MeshBuilder::add_vertices(Mesh& mesh, FirstVertices& shared, Primitive const& primitive, Pose const& pose,
                                         std::vector<std::uint32_t>& indices, std::string const& pointer) {
     bool const flat = !primitive.attributes.contains("NORMAL");
     auto const first_vertex = static_cast<std::uint32_t>(mesh.vertices.size());
-    if (!flat) {
+    if (!flat && primitive.targets.empty()) {
         auto const [known, added] = shared.try_emplace(primitive.attributes, first_vertex);
         if (!added) return known->second;
     }
     std::size_t const count = document_.accessors[static_cast<std::size_t>(primitive.attributes.at("POSITION"))].count;
     std::vector<Vertex> vertices = read_vertices(primitive, count, pointer);
+    apply_targets(vertices, primitive, pose, document_, pointer, report_);
+    apply_skin(vertices, primitive, pose, document_, pointer, report_);
     if (flat) make_flat(vertices, indices);
     if (mesh.vertices.empty())
         mesh.vertices = std::move(vertices);

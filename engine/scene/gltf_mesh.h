@@ -1,6 +1,7 @@
 #pragma once
 
 #include "scene/gltf_document.h"
+#include "scene/gltf_pose.h"
 #include "scene/gltf_report.h"
 
 namespace alpenglow::gltf {
@@ -14,9 +15,9 @@ public:
     /// Counts what `mesh` will take at most. Throws Error(bad_input) beyond the limits. Call it for every mesh before
     /// the first is built.
     void claim(std::size_t mesh);
-    /// `mesh` of the document as triangles; without parts where it holds none. Materials are numbered as in the
+    /// `mesh` of the document as triangles, in `pose`; without parts where it holds none. Materials are numbered as in the
     /// document; a part without one has `default_material()`. Throws Error(bad_input).
-    Mesh build(std::size_t mesh);
+    Mesh build(std::size_t mesh, Pose const& pose);
 
     std::uint32_t default_material() const { return static_cast<std::uint32_t>(document_.materials.size()); }
     bool used_default_material() const { return used_default_material_; }
@@ -25,9 +26,10 @@ private:
     /// Where the vertices of each set of attributes begin in the mesh that is being built.
     using FirstVertices = std::map<std::map<std::string, int>, std::uint32_t>;
 
-    void add_primitive(Mesh& mesh, FirstVertices& shared, Primitive const& primitive, std::string const& pointer);
+    void add_primitive(Mesh& mesh, FirstVertices& shared, Primitive const& primitive, Pose const& pose,
+                       std::string const& pointer);
     std::vector<std::uint32_t> read_triangles(Primitive const& primitive, std::size_t vertices);
-    std::uint32_t add_vertices(Mesh& mesh, FirstVertices& shared, Primitive const& primitive,
+    std::uint32_t add_vertices(Mesh& mesh, FirstVertices& shared, Primitive const& primitive, Pose const& pose,
                                std::vector<std::uint32_t>& indices, std::string const& pointer);
     std::vector<Vertex> read_vertices(Primitive const& primitive, std::size_t count, std::string const& pointer);
     void read_attribute(std::vector<Vertex>& vertices, std::string const& name, int accessor,

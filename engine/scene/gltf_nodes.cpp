@@ -88,14 +88,10 @@ glm::dmat4 node_matrix(NodePlacement const& placement, std::size_t node, Report 
     return matrix;
 }
 
-std::vector<Instance> place_nodes(Document const& document, Report const& report) {
+std::vector<PlacedNode> place_nodes(Document const& document, Report const& report) {
     std::vector<int> const parents = find_parents(document, report);
     check_depth(parents, report);
-    struct Placed {
-        std::size_t node;
-        glm::dmat4 scene_from_parent;
-    };
-    std::vector<Placed> open;
+    std::vector<PlacedNode> open; // each with its parent's place
     std::vector<bool> seen(document.nodes.size());
     for (auto root = document.roots.rbegin(); root != document.roots.rend(); ++root) {
         auto const node = static_cast<std::size_t>(*root);
@@ -104,23 +100,60 @@ std::vector<Instance> place_nodes(Document const& document, Report const& report
         seen[node] = true;
         open.push_back({node, glm::dmat4(1)});
     }
-    std::vector<Instance> instances;
+    std::vector<PlacedNode> shown;
     while (!open.empty()) {
-        Placed const placed = open.back();
+        PlacedNode const placed = open.back();
         open.pop_back();
         Node const& node = document.nodes[placed.node];
-        glm::dmat4 const scene_from_node = placed.scene_from_parent * node.parent_from_node;
+        glm::dmat4 const scene_from_node = placed.scene_from_node * node.parent_from_node;
         if (!is_finite(scene_from_node)) report.fail(pointer_to(placed.node), "is placed out of a float's range");
         bool const hidden = glm::determinant(glm::dmat3(scene_from_node)) == 0;
-        if (node.mesh != no_index && !hidden)
-            instances.push_back({static_cast<std::uint32_t>(node.mesh), scene_from_node});
-        if (instances.size() > most_instances)
+        if ((node.mesh != no_index || node.camera != no_index) && !hidden) shown.push_back({placed.node, scene_from_node});
+        if (shown.size() > most_instances)
             report.fail("/nodes", "more than " + std::to_string(most_instances) + " instances");
         for (auto child = node.children.rbegin(); child != node.children.rend(); ++child) {
             open.push_back({static_cast<std::size_t>(*child), scene_from_node});
         }
     }
-    return instances;
+    return shown;
+}
+
+std::vector<glm::dmat4> scene_from_nodes(Document const& document) {
+    std::vector<bool> is_child(document.nodes.size());
+    for (Node const& node : document.nodes)
+        for (int const child : node.children) is_child[static_cast<std::size_t>(child)] = true;
+    std::vector<std::size_t> open;
+    std::vector<glm::dmat4> places(document.nodes.size());
+    for (std::size_t i = 0; i < document.nodes.size(); ++i) {
+        places[i] = document.nodes[i].parent_from_node;
+        if (!is_child[i]) open.push_back(i);
+    }
+    while (!open.empty()) {
+        std::size_t const parent = open.back();
+        open.pop_back();
+        for (int const child : document.nodes[parent].children) {
+            auto const i = static_cast<std::size_t>(child);
+            places[i] = places[parent] * places[i];
+            open.push_back(i);
+        }
+    }
+    return places;
+}
+
+std::vector<SceneCamera> find_cameras(Document const& document, std::vector<PlacedNode> const& placed, Report& report) {
+    std::vector<SceneCamera> cameras;
+    for (auto const& [index, scene_from_node] : placed) {
+        Node const& node = document.nodes[index];
+        if (node.camera == no_index) continue;
+        CameraSource const& source = document.cameras[static_cast<std::size_t>(node.camera)];
+        if (!source.perspective) {
+            report.warn("orthographic cameras are left out");
+            continue;
+        }
+        std::string const name = !source.name.empty() ? source.name : !node.name.empty() ? node.name : "camera " + std::to_string(cameras.size());
+        cameras.push_back({name, scene_from_node, source.vertical_fov});
+    }
+    return cameras;
 }
 
 } // namespace alpenglow::gltf

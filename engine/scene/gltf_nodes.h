@@ -15,8 +15,19 @@ struct NodePlacement {
 /// Throws Error(bad_input) where the matrix is not affine or the rotation is no rotation.
 glm::dmat4 node_matrix(NodePlacement const& placement, std::size_t node, Report const& report);
 
-/// Each node of the shown scene that has a mesh, with its place. `Instance::mesh` is an index into Document::meshes.
+/// A node of the shown scene that has a mesh or a camera.
+struct PlacedNode {
+    std::size_t node;
+    glm::dmat4 scene_from_node;
+};
 /// Nodes that a scale of zero hides are left out. Throws Error(bad_input) on cycles, several parents, deep chains.
-std::vector<Instance> place_nodes(Document const& document, Report const& report);
+std::vector<PlacedNode> place_nodes(Document const& document, Report const& report);
+
+/// Where every node stands, whether the shown scene holds it or not; after place_nodes has passed them.
+std::vector<glm::dmat4> scene_from_nodes(Document const& document);
+
+/// The perspective cameras among `placed`, named as the file names them, or their nodes. Others are left out, with a
+/// warning.
+std::vector<SceneCamera> find_cameras(Document const& document, std::vector<PlacedNode> const& placed, Report& report);
 
 } // namespace alpenglow::gltf

@@ -1,14 +1,23 @@
 #include "scene/gltf_parse.h"
 
+#include "scene/gltf_json.h"
+#include "scene/gltf_material_extensions.h"
 #include "scene/gltf_nodes.h"
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wconversion"
 #pragma GCC diagnostic ignored "-Wshadow"
 #pragma GCC diagnostic ignored "-Wextra"
+// Debian's libdraco has another version of tinygltf inside, under the same names: ours is compiled here, under its own.
+#define tinygltf alpenglow_tinygltf
+#define TINYGLTF_IMPLEMENTATION
+#define TINYGLTF_NO_INCLUDE_JSON
+#define TINYGLTF_NO_STB_IMAGE
+#define TINYGLTF_NO_STB_IMAGE_WRITE
 #include <tiny_gltf.h>
 #pragma GCC diagnostic pop
 
@@ -30,19 +39,33 @@ void check_index_views(nlohmann::json const& json, Report const& report) {
             nlohmann::json const& primitive = primitives[p];
             if (!primitive.contains("indices")) continue;
             if (json["accessors"][primitive["indices"].get<std::size_t>()].contains("bufferView")) continue;
-            bool const draco = primitive.contains("/extensions/KHR_draco_mesh_compression"_json_pointer);
-            report.fail(fmt::format("/meshes/{}/primitives/{}/indices", m, p),
-                        draco ? "is compressed by KHR_draco_mesh_compression, which is not supported"
-                              : "has no bufferView");
+            report.fail(fmt::format("/meshes/{}/primitives/{}/indices", m, p), "has no bufferView");
         }
     }
 }
 
+/// The indices of compressed primitives have no bytes of their own; they are made when these are decompressed.
+void drop_compressed_indices(nlohmann::json& json) {
+    if (!json.contains("meshes")) return;
+    for (nlohmann::json& mesh : json["meshes"]) {
+        for (nlohmann::json& primitive : mesh["primitives"])
+            if (primitive.contains("/extensions/KHR_draco_mesh_compression"_json_pointer)) primitive.erase("indices");
+    }
+}
+
+/// Extensions are read by us.
+void drop_extensions(nlohmann::json& value) {
+    if (value.is_object()) value.erase("extensions"), value.erase("extras");
+    for (nlohmann::json& member : value)
+        if (member.is_structured()) drop_extensions(member);
+}
+
 tinygltf::Model parse_model(nlohmann::json json, Report const& report) {
+    drop_compressed_indices(json);
     check_index_views(json, report);
     // Read by us (buffers, images) or not at all: the less reaches the parser, the less can go wrong in it.
-    for (char const* const key : {"buffers", "images", "animations", "skins", "cameras", "extensions", "extras"})
-        json.erase(key);
+    for (char const* const key : {"buffers", "images", "animations", "skins", "cameras"}) json.erase(key);
+    drop_extensions(json);
     std::string const text = json.dump();
     tinygltf::TinyGLTF parser;
     parser.RemoveImageLoader();
@@ -102,26 +125,33 @@ void apply_sampler(Texture& texture, tinygltf::Sampler const& sampler) {
     texture.mipmaps = smaller != TINYGLTF_TEXTURE_FILTER_NEAREST && smaller != TINYGLTF_TEXTURE_FILTER_LINEAR;
 }
 
-/// `Info` is one of tinygltf's three kinds of texture reference.
-template <class Info> Texture convert_texture(Info const& info, tinygltf::Model const& model, Report& report) {
+/// What texture references point into.
+struct Textures {
+    tinygltf::Model const& model;
+    std::vector<JsonObject> json;
+    std::size_t images;
+    Report& report;
+};
+
+/// `Info` is one of tinygltf's three kinds of texture reference, `json` the same in the file.
+template <class Info> Texture convert_texture(Info const& info, std::optional<JsonObject> const& json, Textures& textures) {
     Texture texture;
-    if (info.index < 0) return texture;
-    tinygltf::Texture const& source = model.textures[at(info.index)];
-    if (source.source < 0) {
-        report.warn("/textures/" + std::to_string(info.index) + " has no PNG or JPEG picture: left out");
+    if (info.index < 0 || !json) return texture;
+    int const image = image_of_texture(textures.json[at(info.index)], textures.images, textures.report);
+    if (image == no_index) return texture;
+    int const uv_set = apply_texture_transform(texture, *json, info.texCoord);
+    if (uv_set > 1) {
+        textures.report.warn("texture coordinates beyond the second set are not supported: such textures are left out");
         return texture;
     }
-    if (info.texCoord > 1) {
-        report.warn("texture coordinates beyond the second set are not supported: such textures are left out");
-        return texture;
-    }
-    texture.picture = static_cast<std::uint32_t>(source.source);
-    texture.uv_set = static_cast<std::uint8_t>(info.texCoord);
-    if (source.sampler >= 0) apply_sampler(texture, model.samplers[at(source.sampler)]);
+    texture.picture = static_cast<std::uint32_t>(image);
+    texture.uv_set = static_cast<std::uint8_t>(uv_set);
+    int const sampler = textures.model.textures[at(info.index)].sampler;
+    if (sampler >= 0) apply_sampler(texture, textures.model.samplers[at(sampler)]);
     return texture;
 }
 
-Material convert(tinygltf::Material const& source, tinygltf::Model const& model, Report& report) {
+Material convert(tinygltf::Material const& source, JsonObject const& json, Textures& textures) {
     tinygltf::PbrMetallicRoughness const& pbr = source.pbrMetallicRoughness;
     Material material;
     material.name = source.name;
@@ -131,38 +161,79 @@ Material convert(tinygltf::Material const& source, tinygltf::Model const& model,
     for (int i = 0; i < 3; ++i) material.emission[i] = static_cast<float>(source.emissiveFactor[at(i)]);
     material.normal_scale = static_cast<float>(source.normalTexture.scale);
     material.occlusion_strength = static_cast<float>(source.occlusionTexture.strength);
-    material.base_color_texture = convert_texture(pbr.baseColorTexture, model, report);
-    material.metallic_roughness_texture = convert_texture(pbr.metallicRoughnessTexture, model, report);
-    material.normal_texture = convert_texture(source.normalTexture, model, report);
-    material.occlusion_texture = convert_texture(source.occlusionTexture, model, report);
-    material.emission_texture = convert_texture(source.emissiveTexture, model, report);
+    if (auto const core = json.find("pbrMetallicRoughness")) {
+        material.base_color_texture = convert_texture(pbr.baseColorTexture, core->find("baseColorTexture"), textures);
+        material.metallic_roughness_texture =
+            convert_texture(pbr.metallicRoughnessTexture, core->find("metallicRoughnessTexture"), textures);
+    }
+    material.normal_texture = convert_texture(source.normalTexture, json.find("normalTexture"), textures);
+    material.occlusion_texture = convert_texture(source.occlusionTexture, json.find("occlusionTexture"), textures);
+    material.emission_texture = convert_texture(source.emissiveTexture, json.find("emissiveTexture"), textures);
+    apply_material_extensions(material, json, textures.report);
     bool const blended = source.alphaMode == "BLEND";
-    if (blended) report.warn("blended materials are drawn as masked ones");
+    if (blended) textures.report.warn("blended materials are drawn as masked ones");
     material.alpha_mask = blended || source.alphaMode == "MASK";
     material.alpha_cutoff = blended ? 0.5f : static_cast<float>(source.alphaCutoff);
     material.double_sided = source.doubleSided;
     return material;
 }
 
-MeshSource convert(tinygltf::Mesh const& source, Report& report) {
-    MeshSource mesh{source.name, {}};
-    for (tinygltf::Primitive const& primitive : source.primitives) {
-        if (!primitive.targets.empty()) report.warn("morph targets are ignored");
-        mesh.primitives.push_back({primitive.attributes, primitive.indices, primitive.material, primitive.mode});
+std::optional<DracoSource> read_draco(JsonObject const& primitive, std::size_t views) {
+    auto const json = primitive.extension("KHR_draco_mesh_compression");
+    if (!json) return {};
+    json->require("bufferView");
+    json->require("attributes");
+    DracoSource source{json->index("bufferView", views), {}};
+    JsonObject const attributes = *json->find("attributes");
+    for (std::string const& name : attributes.names())
+        source.attributes[name] = static_cast<int>(attributes.whole(name, 0, 0, std::numeric_limits<int>::max()));
+    return source;
+}
+
+MeshSource convert(tinygltf::Mesh const& source, JsonObject const& json, std::size_t views, std::size_t accessors) {
+    MeshSource mesh{source.name, {}, json.numbers("weights", {})};
+    std::vector<JsonObject> const primitives = json.objects("primitives");
+    for (std::size_t i = 0; i < source.primitives.size(); ++i) {
+        tinygltf::Primitive const& from = source.primitives[i];
+        Primitive primitive{from.attributes, from.indices, from.material, from.mode, from.targets,
+                            read_draco(primitives[i], views)};
+        if (primitive.draco) primitive.indices = primitives[i].index("indices", accessors);
+        mesh.primitives.push_back(std::move(primitive));
     }
     return mesh;
 }
 
-Node convert(tinygltf::Node const& source, std::size_t index, Report& report) {
+Node convert(tinygltf::Node const& source, JsonObject const& json, std::size_t index, Report const& report) {
     Node node{source.name, source.children, source.mesh, {}};
-    if (source.skin >= 0) report.warn("skins are ignored: such meshes stand in their bind pose");
+    node.skin = source.skin;
+    node.camera = source.camera;
+    node.weights = json.numbers("weights", {});
     node.parent_from_node =
         node_matrix({source.matrix, source.translation, source.rotation, source.scale}, index, report);
     return node;
 }
 
-std::vector<int> shown_roots(tinygltf::Model const& model) {
-    if (!model.scenes.empty()) return model.scenes[at(std::max(model.defaultScene, 0))].nodes;
+Skin read_skin(JsonObject const& json, Document const& document) {
+    return {json.indices("joints", document.nodes.size()),
+            json.index("inverseBindMatrices", document.accessors.size())};
+}
+
+CameraSource read_camera(JsonObject const& json) {
+    CameraSource camera{json.text("name", ""), 1, json.text("type", "perspective") == "perspective"};
+    auto const perspective = json.find("perspective");
+    if (camera.perspective && !perspective) json.fail("perspective", "is missing");
+    // At least a millionth of a turn, less than half of one.
+    if (perspective) camera.vertical_fov = perspective->number("yfov", 1, 1e-5, 3.1415);
+    return camera;
+}
+
+/// Of scene `chosen`, or of the file's default where none is chosen.
+std::vector<int> shown_roots(tinygltf::Model const& model, std::optional<int> chosen, Report const& report) {
+    int const scene = chosen.value_or(std::max(model.defaultScene, 0));
+    if (chosen && at(scene) >= model.scenes.size())
+        report.fail("/scenes", fmt::format("there is no scene {}: the file has {}", scene, model.scenes.size()),
+                    "give another --scene-index");
+    if (!model.scenes.empty()) return model.scenes[at(scene)].nodes;
     std::vector<bool> is_child(model.nodes.size());
     for (tinygltf::Node const& node : model.nodes) {
         for (int const child : node.children) is_child[at(child)] = true;
@@ -187,20 +258,26 @@ std::vector<Image> convert_images(nlohmann::json const& json, Report const& repo
 
 } // namespace
 
-Document parse_document(nlohmann::json const& json, Report& report) {
+Document parse_document(nlohmann::json const& json, std::optional<int> scene_index, Report& report) {
     tinygltf::Model const model = parse_model(json, report);
+    JsonObject const root(json, "", report);
     Document document;
     for (tinygltf::BufferView const& view : model.bufferViews) document.views.push_back(convert(view));
     for (tinygltf::Accessor const& accessor : model.accessors) document.accessors.push_back(convert(accessor));
-    for (tinygltf::Material const& material : model.materials)
-        document.materials.push_back(convert(material, model, report));
-    for (tinygltf::Mesh const& mesh : model.meshes) document.meshes.push_back(convert(mesh, report));
-    for (tinygltf::Node const& node : model.nodes)
-        document.nodes.push_back(convert(node, document.nodes.size(), report));
     document.images = convert_images(json, report);
-    document.roots = shown_roots(model);
+    Textures textures{model, root.objects("textures"), document.images.size(), report};
+    std::vector<JsonObject> const materials = root.objects("materials"), meshes = root.objects("meshes"),
+                                  nodes = root.objects("nodes");
+    for (std::size_t i = 0; i < model.materials.size(); ++i)
+        document.materials.push_back(convert(model.materials[i], materials[i], textures));
+    for (std::size_t i = 0; i < model.meshes.size(); ++i)
+        document.meshes.push_back(convert(model.meshes[i], meshes[i], document.views.size(), document.accessors.size()));
+    for (std::size_t i = 0; i < model.nodes.size(); ++i)
+        document.nodes.push_back(convert(model.nodes[i], nodes[i], i, report));
+    for (JsonObject const& skin : root.objects("skins")) document.skins.push_back(read_skin(skin, document));
+    for (JsonObject const& camera : root.objects("cameras")) document.cameras.push_back(read_camera(camera));
+    document.roots = shown_roots(model, scene_index, report);
     document.quantized = std::ranges::find(model.extensionsUsed, "KHR_mesh_quantization") != model.extensionsUsed.end();
-    if (json.contains("animations")) report.warn("animations are ignored");
     return document;
 }
 

@@ -44,7 +44,7 @@ ByteImage decode(std::vector<std::byte> const& bytes, std::string const& pointer
         return decode_picture(bytes);
     } catch (Error const& error) {
         if (std::string_view(error.what()).starts_with(report.file().string())) throw;
-        report.fail(pointer, error.what(), "PNG and JPEG are read");
+        report.fail(pointer, error.what(), "PNG, JPEG and WebP are read");
     }
 }
 
@@ -94,8 +94,10 @@ std::vector<Picture> load_pictures(Document const& document, std::vector<Materia
         images[n] = decode(files[n], "/images/" + std::to_string(used[n]), report);
     });
     std::vector<Picture> pictures;
-    for (std::size_t i = 0; i < used.size(); ++i)
+    for (std::size_t i = 0; i < used.size(); ++i) {
+        if (read_picture_header(files[i]).bits == 16) report.warn("pictures of 16 bits a channel are read as 8");
         pictures.push_back(scaled_picture(std::move(images[i]), document, used[i], largest, report));
+    }
     return pictures;
 }
 

@@ -22,6 +22,8 @@ public:
                            std::string const& advice = EXPORT_AGAIN) const;
     /// Each different line is logged once.
     void warn(std::string const& line);
+    /// What was warned of.
+    std::set<std::string> const& warnings() const { return warned_; }
 
 private:
     std::filesystem::path file_;

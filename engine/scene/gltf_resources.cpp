@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "scene/gltf_meshopt.h"
 #include "scene/gltf_uri.h"
 
 namespace alpenglow::gltf {
@@ -28,6 +29,7 @@ std::vector<std::byte> read_buffer(Source& source, std::size_t index, Report& re
     auto const length = json.at("byteLength").get<std::uint64_t>();
     auto const uri = json.find("uri");
     bool const in_chunk = uri == json.end();
+    if (in_chunk && is_meshopt_fallback(json)) return {};
     if (in_chunk && !(source.binary && index == 0))
         report.fail(pointer, "has no uri, and is not the binary chunk of a .glb");
     std::vector<std::byte> bytes = in_chunk ? std::move(source.chunk) : read_uri(*uri, pointer + "/uri", report);

@@ -283,7 +283,22 @@ std::pair<int, int> parse_version(std::string const& text, char const* pointer, 
     return {std::stoi(text.substr(0, dot)), std::stoi(text.substr(dot + 1))};
 }
 
-bool is_supported(std::string const& extension) { return extension == "KHR_mesh_quantization"; }
+constexpr auto supported_extensions = std::to_array<std::string_view>({
+    "EXT_meshopt_compression",
+    "EXT_texture_webp",
+    "KHR_draco_mesh_compression",
+    "KHR_lights_punctual", // read and reported; the sun is the only light
+    "KHR_materials_emissive_strength",
+    "KHR_materials_ior",
+    "KHR_materials_specular",
+    "KHR_materials_unlit",
+    "KHR_mesh_quantization",
+    "KHR_texture_transform",
+});
+
+bool is_supported(std::string const& extension) {
+    return std::ranges::find(supported_extensions, extension) != supported_extensions.end();
+}
 
 } // namespace
 

@@ -63,6 +63,7 @@ struct Texture {
     TextureWrap wrap_u = TextureWrap::repeat, wrap_v = TextureWrap::repeat;
     TextureFilter magnify = TextureFilter::linear, minify = TextureFilter::linear;
     bool mipmaps = true;
+    glm::mat3x2 uv_from_vertex{1};      ///< where the vertex's coordinates lie in the picture (KHR_texture_transform)
 
     explicit operator bool() const { return picture != none; }
 };
@@ -78,11 +79,23 @@ struct Material {
     bool alpha_mask = false;
     float alpha_cutoff = 0.5f;
     bool double_sided = false;
+    float specular = 1;                 ///< weight of a dielectric's specular part, 0 to 1
+    float reflectance = 0.04f;          ///< of a dielectric at normal incidence, 0 to largest_reflectance
+    bool unlit = false;                 ///< shows its base colour as a white surface that faces the sun shows white
+
+    static constexpr float largest_reflectance = 0.2f; ///< an index of refraction of 2.6: what the G-buffer holds
 };
 
 struct Instance {
     std::uint32_t mesh = 0;             ///< into Scene::meshes; many instances may share one
     glm::dmat4 scene_from_mesh{1};
+};
+
+/// A perspective camera of the file: looks along -Z, +Y up.
+struct SceneCamera {
+    std::string name;
+    glm::dmat4 scene_from_camera{1};
+    double vertical_fov = 1;            ///< [rad]
 };
 
 /// A loaded scene in its own frame: glTF axes (+Y up), metres.
@@ -92,6 +105,7 @@ struct Scene {
     std::vector<Picture> pictures;
     std::vector<Material> materials;    ///< never empty where meshes are not
     std::vector<Instance> instances;
+    std::vector<SceneCamera> cameras;
     Box bounds;                         ///< scene frame
 };
 

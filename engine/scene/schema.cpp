@@ -88,6 +88,8 @@ Json setting_schema(SettingInfo const& info) {
 Json scene_schema() {
     std::vector<NumberKey> const keys{json::LATITUDE, json::LONGITUDE, json::ANCHOR_ALTITUDE, json::YAW, json::SCALE};
     Json properties{{"file", text_schema("as the text above")}};
+    properties["index"] = number_schema(json::SCENE_INDEX);
+    properties["index"]["type"] = "integer";
     properties.update(numbers_schema(keys));
     properties["curve"] = {
         {"type", "boolean"}, {"default", false}, {"description", "bend a scene made for a flat map to the planet"}};
@@ -164,7 +166,9 @@ std::string planet_schema_text() {
 
 std::string view_schema_text() {
     Json properties = base_view_properties();
-    properties["camera"] = camera_schema();
+    Json const name = text_schema("name of a camera in the scene's file; `alpenglow inspect` lists them");
+    properties["camera"] = {
+        {"oneOf", {camera_schema(), object_schema("the scene's own camera", {{"gltf", name}}, {"gltf"})}}};
     return file_text("Alpenglow view",
                      object_schema("one picture: SI units, angles in degrees", std::move(properties), {"camera"}));
 }

@@ -12,11 +12,14 @@ namespace alpenglow {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using json::Value;
 
 /// Degrees to 12 places (0.1 micrometres on the ground), so that 46 does not become 46.00000000000001.
 double degrees_for_file(double radians) { return std::round(glm::degrees(radians) * 1e12) / 1e12; }
 
-Json camera_json(CameraPlace const& camera) {
+Json camera_json(View const& view) {
+    if (!view.scene_camera.empty()) return {{"gltf", view.scene_camera}};
+    CameraPlace const& camera = view.camera;
     return {{"latitude", degrees_for_file(camera.place.latitude)},
             {"longitude", degrees_for_file(camera.place.longitude)},
             {"altitude", camera.place.altitude},
@@ -32,15 +35,18 @@ Json sun_json(SunPlace const& sun) {
 }
 
 Json scene_json(View const& view) {
-    if (!view.placement) return view.scene;
+    if (!view.placement && !view.scene_index) return view.scene;
+    Json scene{{"file", view.scene}};
+    if (view.scene_index) scene["index"] = *view.scene_index;
+    if (!view.placement) return scene;
     Placement const& placement = *view.placement;
-    return {{"file", view.scene},
-            {"latitude", degrees_for_file(placement.anchor.latitude)},
-            {"longitude", degrees_for_file(placement.anchor.longitude)},
-            {"altitude", placement.anchor.altitude},
-            {"yaw", degrees_for_file(placement.yaw)},
-            {"scale", placement.scale},
-            {"curve", placement.curve}};
+    scene["latitude"] = degrees_for_file(placement.anchor.latitude);
+    scene["longitude"] = degrees_for_file(placement.anchor.longitude);
+    scene["altitude"] = placement.anchor.altitude;
+    scene["yaw"] = degrees_for_file(placement.yaw);
+    scene["scale"] = placement.scale;
+    scene["curve"] = placement.curve;
+    return scene;
 }
 
 void add_changed_settings(Json& file, Settings const& settings) {
@@ -61,6 +67,32 @@ Camera camera_at(CameraPlace const& place, double planet_radius) {
             .vertical_fov = place.vertical_fov};
 }
 
+CameraPlace camera_place(SceneCamera const& camera, Placement const& placement, double planet_radius) {
+    glm::dmat4 const world = world_from_scene(placement, planet_radius) * camera.scene_from_camera;
+    CameraPlace place{.place = geodetic_from_world(glm::dvec3(world[3]), planet_radius), .vertical_fov = camera.vertical_fov};
+    // A node's scale and shear are no part of a camera: it keeps where it looks and which side is up.
+    glm::dvec3 const back = glm::normalize(glm::dvec3(world[2]));
+    glm::dvec3 const right = glm::normalize(glm::cross(glm::dvec3(world[1]), back));
+    CameraAngles const angles =
+        camera_angles({right, glm::cross(back, right), back}, place.place.latitude, place.place.longitude);
+    place.heading = angles.heading, place.pitch = angles.pitch, place.roll = angles.roll;
+    return place;
+}
+
+View with_scene_camera(View view, std::vector<SceneCamera> const& cameras, double planet_radius) {
+    if (view.scene_camera.empty()) return view;
+    std::string names;
+    for (SceneCamera const& camera : cameras) {
+        names += (names.empty() ? "" : ", ") + camera.name;
+        if (camera.name != view.scene_camera) continue;
+        view.camera = camera_place(camera, scene_placement(view), planet_radius);
+        view.scene_camera.clear();
+        return view;
+    }
+    throw Error(ErrorKind::bad_input, "the scene has no camera \"" + view.scene_camera + "\"", "view " + view.name,
+                names.empty() ? "it has none; give latitude, longitude and altitude" : "it has " + names);
+}
+
 Placement scene_placement(View const& view) { return view.placement.value_or(Placement{.anchor = default_anchor}); }
 
 Geodetic sun_anchor(View const& view) {
@@ -74,12 +106,16 @@ View load_view(std::filesystem::path const& file) {
     known.push_back("camera");
     json::Object const object = text.root().object(known);
     View view = read_base_view(object, file);
-    view.camera = read_camera(object.at("camera"));
+    Value const camera = object.at("camera");
+    if (camera.json().is_object() && camera.json().contains("gltf"))
+        view.scene_camera = camera.object({"gltf"}).at("gltf").text();
+    else
+        view.camera = read_camera(camera);
     return view;
 }
 
 std::string view_text(View const& view) {
-    Json file{{"planet", view.planet}, {"scene", scene_json(view)}, {"camera", camera_json(view.camera)},
+    Json file{{"planet", view.planet}, {"scene", scene_json(view)}, {"camera", camera_json(view)},
               {"sun", sun_json(view.sun)}};
     add_changed_settings(file, view.settings);
     return file.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

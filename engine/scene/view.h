@@ -20,6 +20,8 @@ struct CameraPlace {
 };
 
 Camera camera_at(CameraPlace const& place, double planet_radius);
+/// A scene's own camera, where the scene stands.
+CameraPlace camera_place(SceneCamera const& camera, Placement const& placement, double planet_radius);
 
 /// The sun as given in a file: a direction in the local frame of the scene's anchor (of the camera's ground point where
 /// there is no scene), or a moment in UTC.
@@ -47,7 +49,9 @@ struct View {
     std::string planet = "earth";         ///< name in assets/planets, or a path
     std::string scene{};                  ///< path, "default" for the generated terrain, empty for none
     std::optional<Placement> placement{}; ///< default: the scene's own
+    std::optional<int> scene_index{};     ///< which of the file's scenes; the file's default unless given
     CameraPlace camera{};
+    std::string scene_camera{};           ///< where not empty, the scene's camera of this name stands for `camera`
     SunPlace sun{};
     Settings settings{};
 };
@@ -59,6 +63,9 @@ std::string view_text(View const& view);
 
 /// The view's placement, or the default anchor's.
 Placement scene_placement(View const& view);
+/// `view` with its scene's camera looked up, where it names one. Throws Error(bad_input) where there is none of that
+/// name.
+View with_scene_camera(View view, std::vector<SceneCamera> const& cameras, double planet_radius);
 /// Where the sun's elevation and azimuth are taken: the scene's anchor, or the camera's ground point where there is no
 /// scene.
 Geodetic sun_anchor(View const& view);

@@ -44,13 +44,20 @@ Placement read_placement(Object const& object) {
     return placement;
 }
 
+int read_index(Value const& value) {
+    double const index = value.number(json::SCENE_INDEX);
+    if (index != std::floor(index)) value.refuse(value.quoted() + " is not a whole number", "count the scenes from 0");
+    return static_cast<int>(index);
+}
+
 void read_scene(Value const& value, fs::path const& file, View& view) {
     if (value.is_text()) {
         view.scene = read_scene_file(value, file);
         return;
     }
-    Object const object = value.object({"file", "latitude", "longitude", "altitude", "yaw", "scale", "curve"});
+    Object const object = value.object({"file", "index", "latitude", "longitude", "altitude", "yaw", "scale", "curve"});
     view.scene = read_scene_file(object.at("file"), file);
+    if (object.has("index")) view.scene_index = read_index(object.at("index"));
     for (std::string_view const key : PLACEMENT_KEYS) {
         if (object.has(key)) {
             view.placement = read_placement(object);

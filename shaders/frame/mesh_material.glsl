@@ -10,8 +10,12 @@ layout(set = 1, binding = MATERIAL_NORMAL_SLOT) uniform sampler2D normal_texture
 layout(set = 1, binding = MATERIAL_OCCLUSION_SLOT) uniform sampler2D occlusion_texture;
 layout(set = 1, binding = MATERIAL_EMISSION_SLOT) uniform sampler2D emission_texture;
 
-// The UV set that texture `slot` uses.
-vec2 uv_of(int slot, vec4 uv) { return ((material.uv_sets >> (slot - MATERIAL_BASE_COLOR_SLOT)) & 1) != 0 ? uv.zw : uv.xy; }
+// Where the vertex's two UV sets lie in texture `slot`.
+vec2 uv_of(int slot, vec4 uv) {
+    int i = slot - MATERIAL_BASE_COLOR_SLOT;
+    vec2 own = ((material.uv_sets >> i) & 1) != 0 ? uv.zw : uv.xy;
+    return material.uv_from_vertex[i] * vec3(own, 1.0);
+}
 
 vec4 base_color_at(vec4 uv, vec4 vertex_color) {
     return material.base_color * vertex_color * texture(base_color_texture, uv_of(MATERIAL_BASE_COLOR_SLOT, uv));

@@ -1,7 +1,8 @@
 // The G-buffer: 24 bytes a pixel. Formats and their precision:
 //   albedo    RGBA8 sRGB        diffuse colour, half a step of 1/255 in sRGB; alpha: occlusion, 1/510
 //   normal    RGBA16 SNORM      octahedral, world axes; xy shading normal, zw surface normal: below 0.005 degrees
-//   material  RGBA8 UNORM       perceptual roughness, metalness, gloss (0: Lambert alone): 1/510; alpha unused
+//   material  RGBA8 UNORM       perceptual roughness, metalness, gloss (0: Lambert alone): 1/510; alpha: a dielectric's
+//                               reflectance at normal incidence over LARGEST_REFLECTANCE: 0.0004
 //   emission  B10G11R11 UFLOAT  radiance relative to the sun's irradiance, 1/64 (blue 1/32) relative
 //   depth     D32 SFLOAT        reversed, infinite: 6e-8 relative
 #ifndef ALPENGLOW_INTEROP_GBUFFER_H
@@ -35,6 +36,9 @@
 #define MATERIAL_ALPHA_MASK 1
 #define MATERIAL_DOUBLE_SIDED 2
 #define MATERIAL_NORMAL_MAP 4
+#define MATERIAL_UNLIT 8
+
+#define LARGEST_REFLECTANCE 0.2f // a dielectric's at normal incidence; an index of refraction of 2.6
 
 SHADER_NAMESPACE_BEGIN
 
@@ -57,8 +61,11 @@ struct MaterialConstants {
     float alpha_cutoff;
     int flags;         // MATERIAL_…
     int uv_sets;       // bit i: texture i uses the second set
+    float specular;    // weight of a dielectric's specular part
+    float reflectance; // of a dielectric at normal incidence
+    mat3x2 uv_from_vertex[MATERIAL_TEXTURES];
 };
-CHECK_SIZE(MaterialConstants, 56);
+CHECK_SIZE(MaterialConstants, 184);
 
 SHADER_NAMESPACE_END
 #endif

@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
+#include "atmosphere/math.glsl"
 #include "encoding/octahedral.glsl"
 #include "frame/mesh_material.glsl"
 
@@ -51,8 +52,12 @@ void main() {
     vec2 metal_rough = texture(metallic_roughness_texture, uv_of(MATERIAL_METALLIC_ROUGHNESS_SLOT, uv)).bg;
     float occlusion = mix(1.0, texture(occlusion_texture, uv_of(MATERIAL_OCCLUSION_SLOT, uv)).r, material.occlusion_strength);
 
-    out_albedo = vec4(base.rgb, occlusion);
+    bool unlit = (material.flags & MATERIAL_UNLIT) != 0;
+    float metalness = metal_rough.x * material.metallic;
+    float gloss = unlit ? 0.0 : mix(material.specular, 1.0, metalness);
+    out_albedo = vec4(unlit ? vec3(0.0) : base.rgb, occlusion);
     out_normal = vec4(octahedral_from_unit(shading), octahedral_from_unit(facing));
-    out_material = vec4(metal_rough.y * material.roughness, metal_rough.x * material.metallic, 1.0, 1.0);
-    out_emission = material.emission * texture(emission_texture, uv_of(MATERIAL_EMISSION_SLOT, uv)).rgb;
+    out_material = vec4(metal_rough.y * material.roughness, metalness, gloss, material.reflectance / LARGEST_REFLECTANCE);
+    // An unlit surface shows its colour as a Lambert surface that faces an unshaded sun of unit irradiance would.
+    out_emission = unlit ? base.rgb / PI : material.emission * texture(emission_texture, uv_of(MATERIAL_EMISSION_SLOT, uv)).rgb;
 }

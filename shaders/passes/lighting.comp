@@ -4,6 +4,7 @@
 #include "atmosphere/sky_irradiance.glsl"
 #include "encoding/color.glsl"
 #include "encoding/octahedral.glsl"
+#include "interop/gbuffer.h"
 #include "interop/lighting.h"
 #include "surface/brdf.glsl"
 
@@ -48,8 +49,8 @@ PixelRay pixel_ray(ivec2 pixel) {
 vec3 surface_radiance(ivec2 pixel, PixelRay ray, AirPoint place, vec3 light) {
     vec4 albedo = texelFetch(albedo_image, pixel, 0);
     vec4 normals = texelFetch(normal_image, pixel, 0);
-    vec3 material = texelFetch(material_image, pixel, 0).rgb; // roughness, metalness, gloss
-    Surface surface = make_surface(albedo.rgb, material.y, material.x, material.z);
+    vec4 material = texelFetch(material_image, pixel, 0); // roughness, metalness, gloss, reflectance
+    Surface surface = make_surface(albedo.rgb, material.y, material.x, material.z, material.w * LARGEST_REFLECTANCE);
     vec3 shading = unit_from_octahedral(normals.xy), facing = unit_from_octahedral(normals.zw);
     vec3 to_camera = -ray.direction;
 

@@ -45,7 +45,7 @@ void main() {
     vec2 normal = octahedral_from_unit(unit);
     out_albedo = vec4(look.albedo, 1.0);
     out_normal = vec4(normal, normal);
-    out_material = vec4(look.roughness, 0.0, gloss, 1.0);
+    out_material = vec4(look.roughness, 0.0, gloss, 0.04 / LARGEST_REFLECTANCE);
     out_emission = vec3(0.0);
     gl_FragDepth = frame.near_plane * stretch / distance;
 }

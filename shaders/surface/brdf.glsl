@@ -13,9 +13,14 @@ struct Surface {
 
 CONSTANT float LEAST_ROUGHNESS = 0.045f; // perceptual; narrower lobes alias and overflow
 
-INLINE Surface make_surface(vec3 albedo, float metalness, float roughness, float gloss) {
+// `reflectance` is the dielectric's at normal incidence.
+INLINE Surface make_surface(vec3 albedo, float metalness, float roughness, float gloss, float reflectance) {
     float rough = max(roughness, LEAST_ROUGHNESS);
-    return Surface(albedo * (1.0f - metalness), mix(vec3(0.04f), albedo, metalness), rough * rough, gloss);
+    return Surface(albedo * (1.0f - metalness), mix(vec3(reflectance), albedo, metalness), rough * rough, gloss);
+}
+
+INLINE Surface make_surface(vec3 albedo, float metalness, float roughness, float gloss) {
+    return make_surface(albedo, metalness, roughness, gloss, 0.04f);
 }
 
 INLINE Surface make_surface(vec3 albedo, float metalness, float roughness) {

@@ -50,6 +50,38 @@ glm::dmat3 const NOT_TURNED(1);
 
 } // namespace
 
+TEST_F(Textured, coordinates_are_moved_into_the_picture) {
+    set_picture(2, 1, {255, 0, 0, 255, 0, 0, 0, 255});
+    texture.magnify = TextureFilter::nearest;
+    EXPECT_EQ(red({0.25f, 0.5f}), 1);
+    texture.uv_from_vertex = glm::mat3x2(1, 0, 0, 1, 0.5f, 0);
+    EXPECT_EQ(red({0.25f, 0.5f}), 0);
+    texture.uv_from_vertex = glm::mat3x2(0, 1, 1, 0, 0, 0); // u and v change places
+    EXPECT_EQ(red({0.25f, 0.75f}), 0);
+    EXPECT_EQ(red({0.75f, 0.25f}), 1);
+}
+
+TEST_F(Textured, dielectrics_reflect_as_their_material_says) {
+    Material material;
+    material.metallic = 0;
+    material.reflectance = 0.1f, material.specular = 0.5f;
+    shader_double::Surface const surface = surface_at(scene, material, place());
+    EXPECT_NEAR(surface.specular.r, 0.1, 1e-8); // float's rounding
+    EXPECT_EQ(surface.gloss, 0.5);
+    material.metallic = 1;
+    EXPECT_EQ(surface_at(scene, material, place()).gloss, 1) << "a metal has no dielectric part";
+}
+
+TEST_F(Textured, unlit_surfaces_shine_and_reflect_nothing) {
+    Material material;
+    material.base_color = {0.5f, 1, 0.25f, 1};
+    material.unlit = true;
+    shader_double::Surface const surface = surface_at(scene, material, place());
+    EXPECT_EQ(surface.diffuse, glm::dvec3(0));
+    EXPECT_EQ(surface.gloss, 0);
+    EXPECT_NEAR(emission_at(scene, material, place()).r, 0.5 / M_PI, 1e-9);
+}
+
 TEST_F(Textured, texels_are_made_linear_before_they_are_mixed) {
     set_picture(2, 1, {255, 0, 0, 51, 188, 0, 0, 255});
     EXPECT_NEAR(red({0.5f, 0.5f}, true), 0.5 * (1 + linear(188)), 1e-9);
