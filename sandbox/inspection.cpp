@@ -31,8 +31,8 @@ std::string mebibytes(std::size_t bytes) { return fmt::format("{:.1f} MiB", stat
 std::string size_text(Box const& box) {
     if (box.empty()) return "nothing";
     glm::dvec3 const size = box.highest - box.lowest;
-    return fmt::format("{:.6g} x {:.6g} x {:.6g} m (east, up, north), from {:.6g}, {:.6g}, {:.6g}", size.x, size.y, size.z,
-                       box.lowest.x, box.lowest.y, -box.highest.z);
+    return fmt::format("{:.6g} x {:.6g} x {:.6g} m (east, up, north), from {:.6g}, {:.6g}, {:.6g}", size.x, size.y,
+                       size.z, box.lowest.x, box.lowest.y, 0 - box.highest.z);
 }
 
 Json vector_json(glm::dvec3 const& v) { return {v.x, v.y, v.z}; }
@@ -64,8 +64,8 @@ std::vector<std::string> scene_texts(GltfSummary const& summary) {
 
 std::string inspection_text(Scene const& scene, GltfSummary const& summary) {
     Counts const counts = counts_of(scene);
-    std::string text = fmt::format("{:<12}{} drawn by {} instances of {} meshes ({} stored, {} vertices)\n", "triangles",
-                                   triangle_count(scene), scene.instances.size(), scene.meshes.size(),
+    std::string text = fmt::format("{:<12}{} drawn by {} instances of {} meshes ({} stored, {} vertices)\n",
+                                   "triangles", triangle_count(scene), scene.instances.size(), scene.meshes.size(),
                                    counts.mesh_triangles, counts.vertices);
     text += fmt::format("{:<12}{}\n", "extent", size_text(scene.bounds));
     text += fmt::format("{:<12}{}, {} textures\n", "materials", scene.materials.size(), scene.pictures.size());
@@ -84,14 +84,10 @@ std::string inspection_json(Scene const& scene, GltfSummary const& summary) {
     Json cameras = Json::array();
     for (SceneCamera const& camera : scene.cameras)
         cameras.push_back({{"name", camera.name}, {"fov", glm::degrees(camera.vertical_fov)}});
-    Json json{{"triangles", triangle_count(scene)},
-              {"instances", scene.instances.size()},
-              {"meshes", scene.meshes.size()},
-              {"mesh_triangles", counts.mesh_triangles},
-              {"vertices", counts.vertices},
-              {"materials", scene.materials.size()},
-              {"textures", scene.pictures.size()},
-              {"geometry_bytes", counts.geometry_bytes},
+    Json json{{"triangles", triangle_count(scene)},   {"instances", scene.instances.size()},
+              {"meshes", scene.meshes.size()},        {"mesh_triangles", counts.mesh_triangles},
+              {"vertices", counts.vertices},          {"materials", scene.materials.size()},
+              {"textures", scene.pictures.size()},    {"geometry_bytes", counts.geometry_bytes},
               {"texture_bytes", counts.picture_bytes}};
     if (!scene.bounds.empty())
         json["bounds"] = {{"lowest", vector_json(scene.bounds.lowest)}, {"highest", vector_json(scene.bounds.highest)}};

@@ -50,8 +50,7 @@ public:
         glm::dvec4 const origin = scene_from_node_[static_cast<std::size_t>(first)][3];
         scene_from_mesh = glm::dmat4(1);
         scene_from_mesh[3] = origin;
-        pose.mesh_from_bind =
-            gltf::joint_matrices(document_, node.skin, scene_from_node_, glm::dvec3(origin), report_);
+        pose.mesh_from_bind = gltf::joint_matrices(document_, node.skin, scene_from_node_, glm::dvec3(origin), report_);
         return pose;
     }
 
@@ -77,7 +76,8 @@ void build_meshes(Scene& scene, std::vector<gltf::PlacedNode> const& placed, glt
     std::set<Key> claimed;
     for (gltf::PlacedNode const& one : placed) {
         Key const key = key_of(one.node);
-        if (key.first != gltf::no_index && claimed.insert(key).second) builder.claim(static_cast<std::size_t>(key.first));
+        if (key.first != gltf::no_index && claimed.insert(key).second)
+            builder.claim(static_cast<std::size_t>(key.first));
     }
     std::map<Key, std::uint32_t> numbers;
     scene.meshes.reserve(claimed.size());

@@ -102,12 +102,15 @@ private:
         std::optional<DracoCounts> const counts = read_draco_counts(bytes);
         if (!counts) report_.fail(pointer + "/bufferView", "is not a Draco 2.2 mesh");
         auto const position = primitive.attributes.find("POSITION");
-        std::uint64_t const points = position == primitive.attributes.end() ? 0 : document_.accessors[at(position->second)].count;
-        std::uint64_t const corners = primitive.indices == no_index ? 0 : document_.accessors[at(primitive.indices)].count;
+        std::uint64_t const points =
+            position == primitive.attributes.end() ? 0 : document_.accessors[at(position->second)].count;
+        std::uint64_t const corners =
+            primitive.indices == no_index ? 0 : document_.accessors[at(primitive.indices)].count;
         bool const list = primitive.mode == 4;
         if (counts->vertices > points || (list ? counts->faces * 3 != corners : counts->faces > corners)) {
-            report_.fail(pointer, fmt::format("holds {} vertices and {} triangles, the primitive's accessors say {} and {}",
-                                              counts->vertices, counts->faces, points, corners / 3));
+            report_.fail(pointer,
+                         fmt::format("holds {} vertices and {} triangles, the primitive's accessors say {} and {}",
+                                     counts->vertices, counts->faces, points, corners / 3));
         }
     }
 
@@ -116,8 +119,9 @@ private:
         if (!from) report_.fail(pointer, fmt::format("there is no Draco attribute {}", id));
         Accessor accessor = document_.accessors[at(index)];
         if (accessor.columns != 1 || accessor.rows != from->num_components() || accessor.count != mesh.num_points())
-            report_.fail(pointer, fmt::format("its accessor says {} elements of {}, the Draco mesh {} of {}", accessor.count,
-                                              accessor.rows, mesh.num_points(), from->num_components()));
+            report_.fail(pointer,
+                         fmt::format("its accessor says {} elements of {}, the Draco mesh {} of {}", accessor.count,
+                                     accessor.rows, mesh.num_points(), from->num_components()));
         std::vector<std::byte> bytes(accessor.count * element_size(accessor));
         if (!write_values(mesh, *from, accessor.type, bytes.data()))
             report_.fail(pointer, "its values don't fit the accessor's components");
@@ -151,7 +155,8 @@ void decompress_primitives(Document& document, Report const& report) {
         std::vector<Primitive>& primitives = document.meshes[m].primitives;
         for (std::size_t p = 0; p < primitives.size(); ++p) {
             if (!primitives[p].draco) continue;
-            decompressor.decompress(primitives[p], fmt::format("/meshes/{}/primitives/{}/extensions/KHR_draco_mesh_compression", m, p));
+            decompressor.decompress(
+                primitives[p], fmt::format("/meshes/{}/primitives/{}/extensions/KHR_draco_mesh_compression", m, p));
         }
     }
 }

@@ -83,8 +83,7 @@ std::uint64_t JsonObject::whole(std::string const& name, std::uint64_t fallback,
                                 std::uint64_t highest) const {
     auto const member = value_.find(name);
     if (member == value_.end()) return fallback;
-    double const number =
-        checked_number(*member, name, static_cast<double>(lowest), static_cast<double>(highest));
+    double const number = checked_number(*member, name, static_cast<double>(lowest), static_cast<double>(highest));
     if (number != std::floor(number)) fail(name, "must be an integer");
     return static_cast<std::uint64_t>(number);
 }

@@ -56,7 +56,8 @@ int apply_texture_transform(Texture& texture, JsonObject const& info, int uv_set
     double const rotation = transform->number("rotation", 0);
     double const c = std::cos(rotation), s = std::sin(rotation);
     // Scaled, then turned counter-clockwise as seen with v pointing down, then moved.
-    texture.uv_from_vertex = glm::dmat3x2(c * scale[0], -s * scale[0], s * scale[1], c * scale[1], offset[0], offset[1]);
+    texture.uv_from_vertex =
+        glm::dmat3x2(c * scale[0], -s * scale[0], s * scale[1], c * scale[1], offset[0], offset[1]);
     return static_cast<int>(transform->whole("texCoord", static_cast<std::uint64_t>(uv_set), 0, 1 << 16));
 }
 
@@ -67,8 +68,9 @@ int image_of_texture(JsonObject const& texture, std::size_t images, Report& repo
     int const image = texture.index("source", images);
     if (image != no_index) return image;
     bool const basis = texture.extension("KHR_texture_basisu").has_value();
-    report.warn(texture.pointer() + (basis ? " has only a KTX2 picture (KHR_texture_basisu), which is not supported: left out"
-                                           : " has no PNG, JPEG or WebP picture: left out"));
+    report.warn(texture.pointer() +
+                (basis ? " has only a KTX2 picture (KHR_texture_basisu), which is not supported: left out"
+                       : " has no PNG, JPEG or WebP picture: left out"));
     return no_index;
 }
 

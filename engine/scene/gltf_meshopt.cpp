@@ -37,12 +37,13 @@ Choice choice(JsonObject const& json, std::string const& name, std::vector<std::
 }
 
 void check_stride(Stream const& stream, JsonObject const& json) {
-    bool const whole = stream.mode == Mode::attributes ? stream.stride % 4 == 0
-                                                       : stream.stride == 2 || stream.stride == 4;
+    bool const whole =
+        stream.mode == Mode::attributes ? stream.stride % 4 == 0 : stream.stride == 2 || stream.stride == 4;
     bool const filtered = stream.filter == Filter::none || stream.mode == Mode::attributes;
     bool const suits = (stream.filter != Filter::octahedral || stream.stride == 4 || stream.stride == 8) &&
                        (stream.filter != Filter::quaternion || stream.stride == 8);
-    if (!whole || !suits) json.fail("byteStride", fmt::format("is {}, which its mode and filter can't have", stream.stride));
+    if (!whole || !suits)
+        json.fail("byteStride", fmt::format("is {}, which its mode and filter can't have", stream.stride));
     if (!filtered) json.fail("filter", "only attributes are filtered");
     if (stream.mode == Mode::triangles && stream.count % 3 != 0) json.fail("count", "is no multiple of three");
 }
@@ -59,11 +60,13 @@ Stream read_stream(JsonObject const& json, BufferView const& view, Document cons
     stream.mode = choice<Mode>(json, "mode", {"ATTRIBUTES", "TRIANGLES", "INDICES"}, "");
     stream.filter = choice<Filter>(json, "filter", {"NONE", "OCTAHEDRAL", "QUATERNION", "EXPONENTIAL"}, "NONE");
     if (offset > buffer.size() || stream.length > buffer.size() - offset)
-        json.fail("byteLength", fmt::format("{} bytes from {} reach beyond its buffer of {}", stream.length, offset, buffer.size()));
+        json.fail("byteLength",
+                  fmt::format("{} bytes from {} reach beyond its buffer of {}", stream.length, offset, buffer.size()));
     stream.bytes = reinterpret_cast<unsigned char const*>(buffer.data()) + offset;
     check_stride(stream, json);
     if (stream.count * stream.stride != view.length)
-        json.fail("count", fmt::format("{} elements of {} bytes don't fill its view of {}", stream.count, stream.stride, view.length));
+        json.fail("count", fmt::format("{} elements of {} bytes don't fill its view of {}", stream.count, stream.stride,
+                                       view.length));
     if (view.length / most_growth > stream.length)
         json.fail("count", fmt::format("is {}, more than {} bytes can hold", stream.count, stream.length));
     return stream;

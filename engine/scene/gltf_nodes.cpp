@@ -108,7 +108,8 @@ std::vector<PlacedNode> place_nodes(Document const& document, Report const& repo
         glm::dmat4 const scene_from_node = placed.scene_from_node * node.parent_from_node;
         if (!is_finite(scene_from_node)) report.fail(pointer_to(placed.node), "is placed out of a float's range");
         bool const hidden = glm::determinant(glm::dmat3(scene_from_node)) == 0;
-        if ((node.mesh != no_index || node.camera != no_index) && !hidden) shown.push_back({placed.node, scene_from_node});
+        if ((node.mesh != no_index || node.camera != no_index) && !hidden)
+            shown.push_back({placed.node, scene_from_node});
         if (shown.size() > most_instances)
             report.fail("/nodes", "more than " + std::to_string(most_instances) + " instances");
         for (auto child = node.children.rbegin(); child != node.children.rend(); ++child) {
@@ -150,7 +151,9 @@ std::vector<SceneCamera> find_cameras(Document const& document, std::vector<Plac
             report.warn("orthographic cameras are left out");
             continue;
         }
-        std::string const name = !source.name.empty() ? source.name : !node.name.empty() ? node.name : "camera " + std::to_string(cameras.size());
+        std::string const name = !source.name.empty() ? source.name
+                                 : !node.name.empty() ? node.name
+                                                      : "camera " + std::to_string(cameras.size());
         cameras.push_back({name, scene_from_node, source.vertical_fov});
     }
     return cameras;

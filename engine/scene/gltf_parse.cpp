@@ -134,7 +134,8 @@ struct Textures {
 };
 
 /// `Info` is one of tinygltf's three kinds of texture reference, `json` the same in the file.
-template <class Info> Texture convert_texture(Info const& info, std::optional<JsonObject> const& json, Textures& textures) {
+template <class Info>
+Texture convert_texture(Info const& info, std::optional<JsonObject> const& json, Textures& textures) {
     Texture texture;
     if (info.index < 0 || !json) return texture;
     int const image = image_of_texture(textures.json[at(info.index)], textures.images, textures.report);
@@ -195,8 +196,8 @@ MeshSource convert(tinygltf::Mesh const& source, JsonObject const& json, std::si
     std::vector<JsonObject> const primitives = json.objects("primitives");
     for (std::size_t i = 0; i < source.primitives.size(); ++i) {
         tinygltf::Primitive const& from = source.primitives[i];
-        Primitive primitive{from.attributes, from.indices, from.material, from.mode, from.targets,
-                            read_draco(primitives[i], views)};
+        Primitive primitive{from.attributes, from.indices, from.material,
+                            from.mode,       from.targets, read_draco(primitives[i], views)};
         if (primitive.draco) primitive.indices = primitives[i].index("indices", accessors);
         mesh.primitives.push_back(std::move(primitive));
     }
@@ -271,7 +272,8 @@ Document parse_document(nlohmann::json const& json, std::optional<int> scene_ind
     for (std::size_t i = 0; i < model.materials.size(); ++i)
         document.materials.push_back(convert(model.materials[i], materials[i], textures));
     for (std::size_t i = 0; i < model.meshes.size(); ++i)
-        document.meshes.push_back(convert(model.meshes[i], meshes[i], document.views.size(), document.accessors.size()));
+        document.meshes.push_back(
+            convert(model.meshes[i], meshes[i], document.views.size(), document.accessors.size()));
     for (std::size_t i = 0; i < model.nodes.size(); ++i)
         document.nodes.push_back(convert(model.nodes[i], nodes[i], i, report));
     for (JsonObject const& skin : root.objects("skins")) document.skins.push_back(read_skin(skin, document));

@@ -60,8 +60,9 @@ std::vector<glm::vec4> read_quads(Primitive const& primitive, std::string const&
     if (own == primitive.attributes.end()) return {};
     check_shape(document, own->second, 4, count, pointer + "/attributes/" + name, report);
     std::vector<glm::vec4> values(count);
-    read_vectors<4>(document, own->second, report,
-                    [&](std::size_t i, float const* v) { values[i] = {v[0], v[1], v[2], v[3]}; });
+    read_vectors<4>(document, own->second, report, [&](std::size_t i, float const* v) {
+        values[i] = {v[0], v[1], v[2], v[3]};
+    });
     return values;
 }
 

@@ -69,7 +69,8 @@ Camera camera_at(CameraPlace const& place, double planet_radius) {
 
 CameraPlace camera_place(SceneCamera const& camera, Placement const& placement, double planet_radius) {
     glm::dmat4 const world = world_from_scene(placement, planet_radius) * camera.scene_from_camera;
-    CameraPlace place{.place = geodetic_from_world(glm::dvec3(world[3]), planet_radius), .vertical_fov = camera.vertical_fov};
+    CameraPlace place{.place = geodetic_from_world(glm::dvec3(world[3]), planet_radius),
+                      .vertical_fov = camera.vertical_fov};
     // A node's scale and shear are no part of a camera: it keeps where it looks and which side is up.
     glm::dvec3 const back = glm::normalize(glm::dvec3(world[2]));
     glm::dvec3 const right = glm::normalize(glm::cross(glm::dvec3(world[1]), back));
@@ -115,7 +116,9 @@ View load_view(std::filesystem::path const& file) {
 }
 
 std::string view_text(View const& view) {
-    Json file{{"planet", view.planet}, {"scene", scene_json(view)}, {"camera", camera_json(view)},
+    Json file{{"planet", view.planet},
+              {"scene", scene_json(view)},
+              {"camera", camera_json(view)},
               {"sun", sun_json(view.sun)}};
     add_changed_settings(file, view.settings);
     return file.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -96,6 +96,26 @@ TEST_F(GBufferPass, occlusion_roughness_and_metalness_are_within_half_a_step) {
     EXPECT_NEAR(middle<std::uint8_t>("material")[1] / 255.0, 0.71, 1 / 510.0 + 1e-5);
 }
 
+TEST_F(GBufferPass, reflectance_is_exact_by_default_and_else_within_half_a_step) {
+    draw_wall(matte(glm::vec3(0.5)), 10);
+    EXPECT_EQ(middle<std::uint8_t>("material")[3], 51) << "51/255 of 0.2 is 0.04";
+    Material material = matte(glm::vec3(0.5));
+    material.reflectance = 0.113f;
+    material.specular = 0.4f;
+    draw_wall(material, 10);
+    EXPECT_NEAR(middle<std::uint8_t>("material")[3] / 255.0, 0.113 / 0.2, 1 / 510.0 + 1e-5);
+    EXPECT_NEAR(middle<std::uint8_t>("material")[2] / 255.0, 0.4, 1 / 510.0 + 1e-5);
+}
+
+TEST_F(GBufferPass, unlit_surfaces_only_shine) {
+    Material material = matte(glm::vec3(0.5f, 1, 0.25f));
+    material.unlit = true;
+    draw_wall(material, 10);
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(middle<std::uint8_t>("albedo")[c], 0);
+    EXPECT_EQ(middle<std::uint8_t>("material")[2], 0);
+    EXPECT_NEAR(small_float(middle<std::uint32_t>("emission")[0] & 0x7ff, 6) * 3.14159265 / 0.5, 1, 1 / 64.0);
+}
+
 TEST_F(GBufferPass, normals_are_within_five_thousandths_of_a_degree) {
     for (glm::dvec3 const& direction : {glm::dvec3(0, -1, 0), {0.3, -0.9, 0.2}, {-0.8, -0.3, 0.1}, {0.5, -0.7, -0.5}, {0.01, -0.01, 0.99}}) {
         draw_wall(matte(glm::vec3(0.5)), 10, glm::normalize(direction));
