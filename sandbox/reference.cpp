@@ -62,7 +62,7 @@ public:
 
     /// False where the user interrupted it.
     bool finish() {
-        int const most = (options_.samples + PASS_PATHS - 1) / PASS_PATHS;
+        int const most = std::max(2, (options_.samples + PASS_PATHS - 1) / PASS_PATHS); // two halves
         Progress progress("tracing " + view_.name, static_cast<std::size_t>(most) * options_.size.height);
         std::atomic<std::size_t> rows = static_cast<std::size_t>(picture_.passes()) * options_.size.height;
         std::mutex mutex;
