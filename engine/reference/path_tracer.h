@@ -38,6 +38,11 @@ public:
     Estimate trace(glm::dvec3 const& origin, glm::dvec3 const& direction, double pixel_angle, std::uint64_t key,
                    std::uint32_t first_index, int paths) const;
 
+    /// Whether a ray ends on planet or scene.
+    bool meets_ground(glm::dvec3 const& origin, glm::dvec3 const& direction) const {
+        return !ground_->sees_out(origin, direction);
+    }
+
 private:
     struct Path;
     void walk_from_air(Path& path) const;
