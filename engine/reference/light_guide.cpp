@@ -143,7 +143,8 @@ LightGuide::Grid LightGuide::grid_at(glm::dvec3 const& place) const {
 
 LightGuide::Light LightGuide::at(glm::dvec3 const& place) const {
     Grid const grid = grid_at(place);
-    int const i = std::min(static_cast<int>(grid.row), ALTITUDES - 2), k = std::min(static_cast<int>(grid.column), SUNS - 2);
+    int const i = std::min(static_cast<int>(grid.row), ALTITUDES - 2);
+    int const k = std::min(static_cast<int>(grid.column), SUNS - 2);
     double const y = grid.row - i, x = grid.column - k;
     Light const* const node = &light_[i * SUNS + k];
     auto const between = [&](double Light::*part) {

@@ -7,10 +7,10 @@
 
 namespace alpenglow {
 
-/// Roughly how bright the air is in which place, and from which directions light arrives there: what light paths are led
-/// by. Wrong values cost noise, never truth. Places are told apart by altitude and the sun's zenith angle, directions by
-/// their angles with the zenith and, around it, with the sun; light is grey here, ground is black, and what
-/// was scattered once is scattered evenly ever after.
+/// Roughly how bright the air is in which place, and from which directions light arrives there: what light paths are
+/// led by. Wrong values cost noise, never truth. Places are told apart by altitude and the sun's zenith angle,
+/// directions by their angles with the zenith and, around it, with the sun; light is grey here, ground is black, and
+/// what was scattered once is scattered evenly ever after.
 class LightGuide {
 public:
     /// Even light where there is no sun. Takes some tenths of a second.
