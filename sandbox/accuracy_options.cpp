@@ -30,7 +30,8 @@ CLI::App& add_command(CLI::App& program, ReferenceOptions& options) {
     CLI::App& app = *program.add_subcommand("reference", "Path-traces each view on the CPU: linear radiance and its "
                                                       "variance as EXR");
     add_views(app, options.views);
-    add_whole(app, "--samples", options.samples, "paths for each pixel, in passes of 256; 4096 unless given", 2, 1 << 30);
+    add_whole(app, "--samples", options.samples,
+              "paths for each pixel, in passes of 256, two at least; 4096 unless given", 2, 1 << 30);
     add_value(
         app, "--noise", "X", [&options](std::string const& t) { options.noise = parse_number("--noise", t, 1e-6, 1); },
         "done when the HDR-FLIP between two halves of the samples is at most this; --samples is then the limit");
@@ -53,7 +54,7 @@ CLI::App& add_command(CLI::App& program, ReferenceOptions& options) {
     add_whole(app, "--threads", options.threads, "one for each core unless given", 1, 1024);
     add_size(app, options.size, "320x180");
     add_path(app, "--out", "DIR", options.out, "folder; out/reference unless given");
-    app.add_flag("--resume", options.resume, "goes on where an interrupted run stopped");
+    app.add_flag("--resume", options.resume, "goes on where an interrupted run stopped; finished pictures stay");
     return app;
 }
 
