@@ -76,6 +76,13 @@ void require_different_names(std::vector<View> const& views) {
     }
 }
 
+/// What would stop a later view is said before the first is traced.
+void require_inputs(View const& view) {
+    make_world(view, load_planet(view.planet));
+    if (view.scene.empty() || view.scene == "default" || std::filesystem::exists(view.scene)) return;
+    throw Error(ErrorKind::bad_input, "there is no such scene", view.scene, "correct the view " + view.name);
+}
+
 std::filesystem::path picture_file(View const& view, ReferenceOptions const& options) {
     return options.out / (view.name + ".exr");
 }
@@ -200,6 +207,7 @@ int reference(ReferenceOptions const& options) {
     std::vector<View> views;
     for (std::filesystem::path const& file : options.views) views.push_back(load_view(file));
     require_different_names(views);
+    for (View const& view : views) require_inputs(view);
     require_writable_folder(options.out);
     std::signal(SIGINT, [](int) { interrupted = true; });
     for (View const& view : views) {
