@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <span>
 
 namespace alpenglow {
 
@@ -29,6 +31,44 @@ int share_of_air(glm::dvec3 const& transmittance, int paths) {
     double const opacity = 1 - sum(transmittance) / 3;
     return std::max(1, static_cast<int>(std::lround(paths * std::clamp(opacity, 0.25, 0.75))));
 }
+
+/// What scatters at one place of the air.
+class Scatterers {
+public:
+    Scatterers(Medium const& medium, double altitude) : components_(medium.components) {
+        for (std::size_t i = 0; i < components_.size(); ++i) {
+            scattering_[i] = components_[i].scattering * density(components_[i].profile, altitude);
+            total_ += scattering_[i];
+        }
+    }
+
+    glm::dvec3 const& total() const { return total_; } ///< [1/m]
+
+    /// By the cosine of the turn [1/(m sr)].
+    glm::dvec3 towards(double cosine) const {
+        glm::dvec3 value(0);
+        for (std::size_t i = 0; i < components_.size(); ++i) {
+            value += scattering_[i] * phase_value(components_[i].phase, cosine);
+        }
+        return value;
+    }
+
+    /// The phase of the constituent that a number in (0, 1) means, each as likely as its share of the scattered light.
+    Phase const& choose(glm::dvec3 const& light, double u) const {
+        double left = u * dot(light, total_);
+        std::size_t i = 0;
+        for (; i + 1 < components_.size(); ++i) {
+            left -= dot(light, scattering_[i]);
+            if (left < 0) break;
+        }
+        return components_[i].phase;
+    }
+
+private:
+    std::span<Component const> components_;
+    std::array<glm::dvec3, MOST_COMPONENTS> scattering_; ///< [1/m]
+    glm::dvec3 total_{0};
+};
 
 /// Which of three channels a number in (0, 1) means, each as likely as its share of the light.
 int choose_channel(glm::dvec3 const& light, double u) {
@@ -80,7 +120,8 @@ PathTracer::Estimate PathTracer::trace(glm::dvec3 const& origin, glm::dvec3 cons
     };
     int const from_air = flight ? ground && !is_black(*ground) ? share_of_air(behind, paths) : paths : 0;
     for (int i = 0; i < from_air; ++i) {
-        Path path{.direction = direction, .numbers = PathNumbers(hash(key, 1), first_index + static_cast<std::uint32_t>(i))};
+        Path path{.direction = direction,
+                  .numbers = PathNumbers(hash(key, 1), first_index + static_cast<std::uint32_t>(i))};
         FirstFlight::Choice const choice = flight->choose(path.numbers.next());
         path.place = ray.at(choice.distance);
         path.throughput = choice.weight;
@@ -109,47 +150,32 @@ void PathTracer::walk_from_ground(Path& path, GroundPoint const& point) const {
 
 /// Takes the sun's light at the path's place, and turns it. False where it ends here.
 bool PathTracer::scatter_in_air(Path& path) const {
-    std::size_t const count = medium_.components.size();
-    std::array<glm::dvec3, MOST_COMPONENTS> densities; // scattering coefficients here [1/m]
-    glm::dvec3 total(0);
-    double const altitude = length(path.place) - medium_.radius;
-    for (std::size_t i = 0; i < count; ++i) {
-        Component const& component = medium_.components[i];
-        densities[i] = component.scattering * density(component.profile, altitude);
-        total += densities[i];
-    }
-    if (!survives(path, dot(path.throughput, total))) return false;
-    auto const towards = [&](glm::dvec3 const& direction) {
-        glm::dvec3 value(0);
-        double const cosine = dot(path.direction, direction);
-        for (std::size_t i = 0; i < count; ++i) value += densities[i] * phase_value(medium_.components[i].phase, cosine);
-        return path.throughput * value;
-    };
+    Scatterers const air(medium_, length(path.place) - medium_.radius);
+    if (!survives(path, dot(path.throughput, air.total()))) return false;
     ++path.events;
     // One set of numbers for the turn, one for the sun and the flight: the same dimensions for every path.
     double const choice = path.numbers.next(), u = path.numbers.next(), v = path.numbers.next();
     path.numbers.next_set();
-    SunRay const sun = sun_.sample(path.place, path.numbers.next(), path.numbers.next());
-    if (sun.irradiance != glm::dvec3(0)) path.radiance += towards(sun.direction) * sun.irradiance;
+    double const turn = path.numbers.next(), offset = path.numbers.next();
+    SunRay const sun = sun_.sample(path.place, offset, turn);
+    if (sun.irradiance != glm::dvec3(0)) {
+        path.radiance += path.throughput * air.towards(dot(path.direction, sun.direction)) * sun.irradiance;
+    }
     if (path.events == options_.orders) return false;
 
     // To where the light comes from, or as the air's constituents turn it.
-    double const light = dot(path.throughput, total), led_share = path.events <= LED_EVENTS ? LED_SHARE : 0;
+    double const led_share = path.events <= LED_EVENTS ? LED_SHARE : 0;
     LightGuide::Directions const led(guide_, path.place);
     glm::dvec3 direction;
     if (choice < led_share) {
         direction = led.sample(u, v);
     } else {
-        double left = (choice - led_share) / (1 - led_share) * light;
-        std::size_t turning = 0;
-        for (; turning + 1 < count; ++turning) {
-            left -= dot(path.throughput, densities[turning]);
-            if (left < 0) break;
-        }
-        direction = around(path.direction, sample_phase_cosine(medium_.components[turning].phase, u), v);
+        Phase const& phase = air.choose(path.throughput, (choice - led_share) / (1 - led_share));
+        direction = around(path.direction, sample_phase_cosine(phase, u), v);
     }
-    glm::dvec3 const value = towards(direction);
-    path.throughput = value / (led_share * led.density(direction) + (1 - led_share) * sum(value) / light);
+    glm::dvec3 const value = path.throughput * air.towards(dot(path.direction, direction));
+    double const by_phase = sum(value) / dot(path.throughput, air.total());
+    path.throughput = value / (led_share * led.density(direction) + (1 - led_share) * by_phase);
     path.direction = direction;
     return true;
 }
@@ -162,7 +188,8 @@ bool PathTracer::scatter_on_ground(Path& path, GroundPoint const& point) const {
     glm::dvec3 const to_viewer = -path.direction;
     double const u1 = path.numbers.next(), u2 = path.numbers.next(), u3 = path.numbers.next();
     path.numbers.next_set();
-    SunRay const sun = sun_.sample(point.position, path.numbers.next(), path.numbers.next());
+    double const turn = path.numbers.next(), offset = path.numbers.next();
+    SunRay const sun = sun_.sample(point.position, offset, turn);
     if (sun.irradiance != glm::dvec3(0)) {
         path.radiance += path.throughput * reflect(point, to_viewer, sun.direction) * sun.irradiance;
     }

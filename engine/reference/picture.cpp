@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <numeric>
@@ -11,7 +12,8 @@ namespace alpenglow {
 
 namespace {
 
-constexpr std::uint32_t PATHS_OF_RAY = 8; ///< of a camera's ray, whose own work is shared by them
+/// Paths that share a camera's ray and its own work: fewer where a pixel holds much detail.
+constexpr std::uint32_t PATHS_OF_SKY_RAY = 16, PATHS_OF_GROUND_RAY = 8;
 constexpr std::size_t HEADER_BYTES = 4 * sizeof(std::int64_t);
 
 glm::dvec3 ray_direction(Camera const& camera, Extent size, double x, double y) {
@@ -37,14 +39,16 @@ PathTracer::Estimate trace_pixel(PathTracer const& tracer, Camera const& camera,
     std::uint64_t const first_path = curve_place(x, y) * PASS_PATHS;
     std::uint64_t const key = hash(hash(seed, static_cast<std::uint64_t>(pass)), first_path >> 32);
     auto const first = static_cast<std::uint32_t>(first_path);
+    bool const ground = tracer.meets_ground(camera.position, ray_direction(camera, size, x + 0.5, y + 0.5));
+    std::uint32_t const together = ground ? PATHS_OF_GROUND_RAY : PATHS_OF_SKY_RAY;
     PathTracer::Estimate mean;
-    for (std::uint32_t i = 0; i < PASS_PATHS; i += PATHS_OF_RAY) {
-        PathNumbers numbers(hash(key, 0), (first + i) / PATHS_OF_RAY);
+    for (std::uint32_t i = 0; i < PASS_PATHS; i += together) {
+        PathNumbers numbers(hash(key, 0), (first + i) / together);
         double const u = numbers.next(), v = numbers.next();
         glm::dvec3 const direction = ray_direction(camera, size, x + u, y + v);
         PathTracer::Estimate const ray =
-            tracer.trace(camera.position, direction, pixel_angle, key, first + i, PATHS_OF_RAY);
-        mean.radiance += ray.radiance * (double(PATHS_OF_RAY) / PASS_PATHS);
+            tracer.trace(camera.position, direction, pixel_angle, key, first + i, static_cast<int>(together));
+        mean.radiance += ray.radiance * (double(together) / PASS_PATHS);
         mean.events += ray.events;
     }
     return mean;

@@ -83,6 +83,8 @@ std::vector<Refusal> rows() {
                    {"/air/top_altitude"}),
         bad_planet("planet_not_json", "[", {"not JSON"}),
         {"planet_of_unknown_name", {"render", "view.json", "--planet", "mars", "--out", "out"}, 3, {"mars"}, {{"view.json", view(CAMERA)}}},
+        {"reference_of_a_missing_scene", {"reference", "view.json", "later.json", "--out", "out", "--size", "16x16"}, 3, {"none.glb", "later"}, {{"view.json", view(CAMERA)}, {"later.json", view_with("scene", R"({"file": "none.glb"})")}}},
+        {"reference_of_a_missing_planet", {"reference", "view.json", "later.json", "--out", "out", "--size", "16x16"}, 3, {"none.json", "No such file"}, {{"view.json", view(CAMERA)}, {"later.json", view_with("planet", "\"none.json\"")}}},
         {"planet_missing", {"render", "view.json", "--planet", "none.json", "--out", "out"}, 3, {"none.json", "No such file"}, {{"view.json", view(CAMERA)}}},
 
         bad_flight("flight_of_one_key", flight(""), {"/keys"}),

@@ -65,7 +65,7 @@ TEST_F(Textured, dielectrics_reflect_as_their_material_says) {
     Material material;
     material.metallic = 0;
     material.reflectance = 0.1f, material.specular = 0.5f;
-    shader_double::Surface const surface = surface_at(scene, material, place());
+    GroundSurface const surface = surface_at(scene, material, place());
     EXPECT_NEAR(surface.specular.r, 0.1, 1e-8); // float's rounding
     EXPECT_EQ(surface.gloss, 0.5);
     material.metallic = 1;
@@ -76,7 +76,7 @@ TEST_F(Textured, unlit_surfaces_shine_and_reflect_nothing) {
     Material material;
     material.base_color = {0.5f, 1, 0.25f, 1};
     material.unlit = true;
-    shader_double::Surface const surface = surface_at(scene, material, place());
+    GroundSurface const surface = surface_at(scene, material, place());
     EXPECT_EQ(surface.diffuse, glm::dvec3(0));
     EXPECT_EQ(surface.gloss, 0);
     EXPECT_NEAR(emission_at(scene, material, place()).r, 0.5 / M_PI, 1e-9);
