@@ -37,7 +37,7 @@ constexpr std::array TABLE{
                 .unit = "m", .help = "distance at which shadows fade out"},
     SettingInfo{.name = "exposure", .member = &Settings::exposure, .smallest = -32, .largest = 32, .unit = "stops",
                 .help = "displayed = curve(2^exposure * radiance)"},
-    SettingInfo{.name = "curve", .member = &Settings::curve, .choices = "filmic|exponential",
+    SettingInfo{.name = "curve", .member = &Settings::curve, .choices = "filmic|exponential|linear",
                 .help = "from linear light to the display"},
     SettingInfo{.name = "dither", .member = &Settings::dither, .help = "dither after the curve, before 8 bits"},
     SettingInfo{.name = "aa", .member = &Settings::aa, .choices = "1|4|16",

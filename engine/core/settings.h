@@ -29,7 +29,7 @@ struct Settings {
 
     // The picture
     double exposure = 0.0;        ///< [stops]; displayed = curve(2^exposure * radiance)
-    std::string curve = "filmic"; ///< exponential | filmic
+    std::string curve = "filmic"; ///< exponential | filmic | linear
     bool dither = true;           ///< after the curve, before 8 bits
     int aa = 1;                   ///< supersampling: 1, 4 or 16
     std::string post_aa = "none"; ///< none | fxaa

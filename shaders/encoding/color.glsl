@@ -26,7 +26,9 @@ INLINE vec3 filmic_curve(vec3 exposed) {
 
 // `curve` of interop/display.h.
 INLINE vec3 tone_curve(int curve, vec3 exposed) {
-    return curve == CURVE_NONE ? exposed : (curve == CURVE_FILMIC ? filmic_curve(exposed) : exponential_curve(exposed));
+    if (curve == CURVE_NONE) return exposed;
+    if (curve == CURVE_LINEAR) return clamp(exposed, vec3(0.0f), vec3(1.0f));
+    return curve == CURVE_FILMIC ? filmic_curve(exposed) : exponential_curve(exposed);
 }
 
 // Interleaved gradient noise (Jimenez 2014), 0 to 1, by pixel.

@@ -23,6 +23,7 @@
 #define CURVE_EXPONENTIAL 0
 #define CURVE_FILMIC 1
 #define CURVE_NONE 2 // behind the curve already
+#define CURVE_LINEAR 3
 
 SHADER_NAMESPACE_BEGIN
 

@@ -58,7 +58,7 @@ vec3 surface_radiance(ivec2 pixel, PixelRay ray, AirPoint place, vec3 light) {
     if (has_flag(FRAME_HAS_AIR)) {
         sky = sample_sky_irradiance(sky_irradiance_table, frame.atmosphere, place.altitude, place.mu_s);
         sun = sample_sun_transmittance(transmittance_table, frame.atmosphere, place.altitude, place.mu_s);
-    } else {
+    } else if (!has_flag(FRAME_STUDIO)) {
         sun *= sun_above_horizon(frame.atmosphere, place.altitude, place.mu_s);
     }
     float visibility = 1.0;
@@ -69,7 +69,8 @@ vec3 surface_radiance(ivec2 pixel, PixelRay ray, AirPoint place, vec3 light) {
     // Up at the surface: the camera's up moved along the ray.
     vec3 up = normalize(frame.camera_up * (frame.atmosphere.ground_radius + frame.camera_altitude) + ray.direction * ray.distance);
     vec3 ground = (sky + sun * max(place.mu_s, 0.0)) * frame.atmosphere.ground_albedo;
-    vec3 ambient = sky_irradiance_on_normal(sky, ground, clamp(dot(shading, up), -1.0, 1.0)) * albedo.a;
+    vec3 around = has_flag(FRAME_STUDIO) ? frame.fill : sky_irradiance_on_normal(sky, ground, clamp(dot(shading, up), -1.0, 1.0));
+    vec3 ambient = around * albedo.a;
 
     float n_v = clamp(dot(shading, to_camera), 0.0, 1.0);
     vec3 radiance = reflect_light(surface, shading, to_camera, frame.to_sun) * sun * visibility + reflect_ambient(surface, n_v) * ambient;
@@ -100,6 +101,7 @@ void main() {
     vec3 light_direction = frame.light_from_world * ray.direction;
 
     vec3 radiance = vec3(sun_disc(ray)) * frame.atmosphere.solar_irradiance;
+    if (has_flag(FRAME_STUDIO)) radiance = frame.backdrop;
     if (ground) radiance = surface_radiance(pixel, ray, air_point_at(from_camera, ray.distance), light_direction * ray.distance);
     if (has_flag(FRAME_AIR)) {
         AirLight air = march_air(pixel, from_camera, light_direction, ray.distance);
