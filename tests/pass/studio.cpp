@@ -70,8 +70,9 @@ TEST_F(StudioPass, an_unlit_board_shows_its_colour_fills_the_picture_and_leaves_
     for (float const side : SIDES) {
         ByteImage const picture = shoot(board(side, {1, 0.214041, 0, 1}, true)); // sRGB 255, 127.5, 0
         Rgb const backdrop = rgb(picture, 0, 0), middle = rgb(picture, 32, 32);
-        EXPECT_EQ(middle[0], 255);
-        EXPECT_NEAR(middle[1], 127.5, 1.5); // 11 bits of a float in the G-buffer: 1/64 of the linear value at most
+        // The G-buffer holds 6 bits of the linear value behind its first: within 1/64, half of that as sRGB.
+        EXPECT_NEAR(middle[0], 255, 2);
+        EXPECT_NEAR(middle[1], 127.5, 1.5);
         EXPECT_EQ(middle[2], 0);
         EXPECT_GT(backdrop[0], 40);
         EXPECT_EQ(backdrop[0], backdrop[2]);
@@ -107,13 +108,15 @@ TEST_F(StudioPass, a_cube_is_seen_from_the_right_and_above_with_three_faces_lit_
             for (std::uint32_t x = 0; x < SIZE.width; ++x) {
                 Rgb const at = rgb(picture, x, y);
                 bool const at_edge = std::min({x, y, SIZE.width - 1 - x, SIZE.height - 1 - y}) < 2;
-                if (at_edge) EXPECT_EQ(at, backdrop) << side << " m at " << x << ", " << y;
+                if (at_edge) {
+                    EXPECT_EQ(at, backdrop) << side << " m at " << x << ", " << y;
+                }
                 things += at != backdrop;
                 ++histogram[static_cast<std::size_t>(at[0])];
             }
         }
         // A cube's hexagon in a square, 92 % of it high.
-        EXPECT_NEAR(static_cast<double>(things) / SIZE.pixels(), 0.58, 0.1) << side;
+        EXPECT_NEAR(static_cast<double>(things) / static_cast<double>(SIZE.pixels()), 0.58, 0.1) << side;
         // Four flat greys, the backdrop's and the faces': next to nothing else but edges.
         std::ranges::sort(histogram, std::greater());
         EXPECT_GT(histogram[3], 200u) << side;
