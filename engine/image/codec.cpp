@@ -122,8 +122,9 @@ ByteImage decode_picture(std::span<std::byte const> bytes) {
     std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> const pixels(
         stbi_load_from_memory(data_of(bytes), length_of(bytes), &width, &height, &channels, 4), stbi_image_free);
     if (!pixels) fail();
-    ByteImage image({static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)});
-    std::copy_n(pixels.get(), image.rgba.size(), image.rgba.data());
+    ByteImage image;
+    image.extent = {static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
+    image.rgba.assign(pixels.get(), pixels.get() + image.extent.pixels() * 4);
     return image;
 }
 

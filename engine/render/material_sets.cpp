@@ -1,6 +1,7 @@
 #include "render/material_sets.h"
 
 #include "gpu/transfer.h"
+#include "image/mipmaps.h"
 #include "interop/gbuffer.h"
 #include "surface/brdf.glsl"
 
@@ -69,26 +70,30 @@ SamplerState sampler_state(Texture const& texture) {
     return state;
 }
 
-std::unique_ptr<GpuImage> make_picture(Device const& device, Extent extent, bool srgb,
+std::unique_ptr<GpuImage> make_picture(Staging& staging, Extent extent, bool srgb,
                                        std::span<std::uint8_t const> rgba, std::string const& name) {
     ImageShape const shape{srgb ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM, extent, 1,
                            full_mip_count(extent)};
-    auto image = std::make_unique<GpuImage>(
-        device, shape, VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
-        name);
-    upload(device, *image, std::as_bytes(rgba));
+    auto image = std::make_unique<GpuImage>(staging.device(), shape,
+                                            VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT, name);
+    // Made here and not by the device: the same texels everywhere, and on a software device in a third of the time.
+    std::vector<ByteImage> const levels = mip_levels(extent, rgba, srgb);
+    std::vector<std::span<std::byte const>> mips{std::as_bytes(rgba)};
+    for (ByteImage const& level : levels) mips.push_back(std::as_bytes(std::span(level.rgba)));
+    upload(staging, *image, mips);
     return image;
 }
 
 } // namespace
 
-MaterialSets::MaterialSets(Device const& device, Scene const& scene) : device_(device), samplers_(device) {
+MaterialSets::MaterialSets(Staging& staging, Scene const& scene)
+    : device_(staging.device()), samplers_(staging.device()) {
     constexpr std::array<std::uint8_t, 4> white = {255, 255, 255, 255};
-    white_ = make_picture(device, {1, 1}, false, white, "white");
+    white_ = make_picture(staging, {1, 1}, false, white, "white");
     make_layout();
     make_pool(static_cast<std::uint32_t>(scene.materials.size()));
     upload_constants(scene);
-    for (std::size_t i = 0; i < scene.materials.size(); ++i) write_set(scene, i);
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) write_set(staging, scene, i);
 }
 
 MaterialSets::~MaterialSets() {
@@ -136,20 +141,21 @@ void MaterialSets::upload_constants(Scene const& scene) {
     }
 }
 
-GpuImage& MaterialSets::picture(Scene const& scene, std::uint32_t index, bool srgb) {
+GpuImage& MaterialSets::picture(Staging& staging, Scene const& scene, std::uint32_t index, bool srgb) {
     std::unique_ptr<GpuImage>& image = pictures_[{index, srgb}];
     Picture const& source = scene.pictures[index];
-    if (!image) image = make_picture(device_, {source.width, source.height}, srgb, source.rgba, source.name);
+    if (!image) image = make_picture(staging, {source.width, source.height}, srgb, source.rgba, source.name);
     return *image;
 }
 
-VkDescriptorImageInfo MaterialSets::texture(Scene const& scene, Texture const& texture, bool srgb) {
-    GpuImage const& image = texture ? picture(scene, texture.picture, srgb) : *white_;
+VkDescriptorImageInfo MaterialSets::texture(Staging& staging, Scene const& scene, Texture const& texture,
+                                            bool srgb) {
+    GpuImage const& image = texture ? picture(staging, scene, texture.picture, srgb) : *white_;
     return {samplers_.get(texture ? sampler_state(texture) : LINEAR_CLAMP), image.view(),
             VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
 }
 
-void MaterialSets::write_set(Scene const& scene, std::size_t index) {
+void MaterialSets::write_set(Staging& staging, Scene const& scene, std::size_t index) {
     Material const& material = scene.materials[index];
     Entry& entry = entries_.emplace_back();
     entry.double_sided = material.double_sided;
@@ -174,7 +180,7 @@ void MaterialSets::write_set(Scene const& scene, std::size_t index) {
     writes.push_back(write);
     auto const textures = textures_of(material);
     for (std::uint32_t i = 0; i < MATERIAL_TEXTURES; ++i) {
-        images[i] = texture(scene, *textures[i], is_color(static_cast<int>(MATERIAL_BASE_COLOR_SLOT + i)));
+        images[i] = texture(staging, scene, *textures[i], is_color(static_cast<int>(MATERIAL_BASE_COLOR_SLOT + i)));
         write.dstBinding = MATERIAL_BASE_COLOR_SLOT + i;
         write.descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
         write.pImageInfo = &images[i];

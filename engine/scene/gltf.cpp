@@ -12,7 +12,9 @@
 #include "scene/gltf_source.h"
 #include "scene/gltf_summary.h"
 
+#include <functional>
 #include <map>
+#include <mutex>
 #include <set>
 
 namespace alpenglow {
@@ -96,16 +98,41 @@ void build_meshes(Scene& scene, std::vector<gltf::PlacedNode> const& placed, glt
     if (builder.used_default_material()) scene.materials.push_back({});
 }
 
+/// Counts what is done for the one who waits.
+class Steps {
+public:
+    Steps(GltfOptions const& options, std::size_t steps) : tell_(options.progress), steps_(steps) {}
+
+    void add() {
+        std::lock_guard const lock(mutex_);
+        if (++done_ < steps_ && tell_) tell_(done_, steps_);
+    }
+    void finish() const {
+        if (tell_) tell_(steps_, steps_);
+    }
+
+private:
+    std::function<void(std::size_t, std::size_t)> const& tell_;
+    std::size_t steps_, done_ = 0;
+    std::mutex mutex_;
+};
+
 Scene load(GltfOptions const& options, GltfSummary& summary, gltf::Report& report) {
     gltf::Document const document = read_document(options, summary, report);
     std::vector<gltf::PlacedNode> const placed = gltf::place_nodes(document, report);
+    constexpr std::size_t reading_and_building = 2;
+    Steps steps(options, reading_and_building + document.images.size());
+    steps.add();
     Scene scene;
     scene.name = report.file().stem().string();
     scene.materials = document.materials;
     build_meshes(scene, placed, document, report);
+    steps.add();
     scene.cameras = gltf::find_cameras(document, placed, report);
-    scene.pictures = gltf::load_pictures(document, scene.materials, options.largest_texture, report);
+    scene.pictures = gltf::load_pictures(document, scene.materials, options.largest_texture, report,
+                                        [&] { steps.add(); });
     scene.bounds = scene_bounds(scene);
+    steps.finish();
     if (scene.instances.empty()) report.warn("the scene holds no triangle");
     return scene;
 }

@@ -3,6 +3,7 @@
 #include "scene/scene.h"
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +13,8 @@ namespace alpenglow {
 struct GltfOptions {
     int largest_texture = 4096; ///< [texels] larger pictures are halved until they fit, with a warning
     std::optional<int> scene_index = {}; ///< which of the file's scenes; the file's default unless given
+    /// Where given, told now and then how many of how many steps are done; one call at a time, on any thread.
+    std::function<void(std::size_t done, std::size_t steps)> progress = {};
 };
 
 /// What a file holds beyond what is drawn.

@@ -84,7 +84,7 @@ std::vector<std::size_t> number_pictures(std::vector<Material>& materials, std::
 } // namespace
 
 std::vector<Picture> load_pictures(Document const& document, std::vector<Material>& materials, int largest,
-                                   Report& report) {
+                                   Report& report, std::function<void()> const& decoded) {
     std::vector<std::size_t> const used = number_pictures(materials, document.images.size());
     std::vector<std::vector<std::byte>> files;
     for (std::size_t index : used) files.push_back(read_image_bytes(document, index, report));
@@ -92,6 +92,7 @@ std::vector<Picture> load_pictures(Document const& document, std::vector<Materia
     parallel_for(static_cast<int>(used.size()), 0, [&](int i) {
         auto const n = static_cast<std::size_t>(i);
         images[n] = decode(files[n], "/images/" + std::to_string(used[n]), report);
+        decoded();
     });
     std::vector<Picture> pictures;
     for (std::size_t i = 0; i < used.size(); ++i) {
