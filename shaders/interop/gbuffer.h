@@ -3,7 +3,7 @@
 //   normal    RGBA16 SNORM      octahedral, world axes; xy shading normal, zw surface normal: below 0.005 degrees
 //   material  RGBA8 UNORM       perceptual roughness, metalness, gloss (0: Lambert alone): 1/510; alpha: a dielectric's
 //                               reflectance at normal incidence over LARGEST_REFLECTANCE: 0.0004
-//   emission  B10G11R11 UFLOAT  radiance relative to the sun's irradiance, 1/64 (blue 1/32) relative
+//   emission  B10G11R11 UFLOAT  radiance relative to the sun's irradiance, 1/128 (blue 1/64) relative
 //   depth     D32 SFLOAT        reversed, infinite: 6e-8 relative
 #ifndef ALPENGLOW_INTEROP_GBUFFER_H
 #define ALPENGLOW_INTEROP_GBUFFER_H

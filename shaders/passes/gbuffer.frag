@@ -43,6 +43,13 @@ vec3 mapped_normal(vec3 n) {
     return normalize(world_from_texel * texel);
 }
 
+// The nearest values that B10G11R11 holds, with 6, 6 and 5 bits behind the first one: devices cut off what is beyond, which makes
+// blue 1.6 % too dark on the average.
+vec3 rounded_emission(vec3 emission) {
+    const uvec3 step = uvec3(1u << 17, 1u << 17, 1u << 18);
+    return uintBitsToFloat((floatBitsToUint(max(emission, vec3(0.0))) + step / 2u) & ~(step - 1u));
+}
+
 void main() {
     vec4 base = base_color_at(uv, color);
     if (cut_out(base.a)) discard;
@@ -59,5 +66,5 @@ void main() {
     out_normal = vec4(octahedral_from_unit(shading), octahedral_from_unit(facing));
     out_material = vec4(metal_rough.y * material.roughness, metalness, gloss, material.reflectance / LARGEST_REFLECTANCE);
     // An unlit surface shows its colour as a Lambert surface that faces an unshaded sun of unit irradiance would.
-    out_emission = unlit ? base.rgb / PI : material.emission * texture(emission_texture, uv_of(MATERIAL_EMISSION_SLOT, uv)).rgb;
+    out_emission = rounded_emission(unlit ? base.rgb / PI : material.emission * texture(emission_texture, uv_of(MATERIAL_EMISSION_SLOT, uv)).rgb);
 }
