@@ -1,6 +1,7 @@
 #include "scene/gltf.h"
 
 #include "scene/gltf_accessor.h"
+#include "scene/gltf_contents.h"
 #include "scene/gltf_mesh.h"
 #include "scene/gltf_nodes.h"
 #include "scene/gltf_parse.h"
@@ -8,6 +9,7 @@
 #include "scene/gltf_resources.h"
 #include "scene/gltf_schema.h"
 #include "scene/gltf_source.h"
+#include "scene/gltf_structure.h"
 
 #include <set>
 
@@ -17,11 +19,14 @@ namespace {
 
 gltf::Document read_document(gltf::Report& report) {
     gltf::Source source = gltf::read_source(report);
+    gltf::check_version(source.json, report);
     gltf::check_schema(source.json, report);
-    gltf::check_version_and_extensions(source.json, report);
+    gltf::check_structure(source.json, report);
+    gltf::check_extensions(source.json, report);
     gltf::Document document = gltf::parse_document(source.json, report);
     document.buffers = gltf::read_buffers(source, report);
     gltf::check_accessors(document, report);
+    gltf::check_contents(source.json, document, report);
     return document;
 }
 
@@ -51,7 +56,7 @@ void build_meshes(Scene& scene, std::vector<Instance> const& placed, gltf::Docum
 } // namespace
 
 Scene load_gltf(std::filesystem::path const& file, GltfOptions const& options) {
-    gltf::Report report(file);
+    gltf::Report report(file, options.limits, options.warnings);
     gltf::Document const document = read_document(report);
     Scene scene;
     scene.name = file.stem().string();
@@ -60,6 +65,7 @@ Scene load_gltf(std::filesystem::path const& file, GltfOptions const& options) {
     scene.pictures = gltf::load_pictures(document, scene.materials, options.largest_texture, report);
     scene.bounds = scene_bounds(scene);
     if (scene.instances.empty()) report.warn("the scene holds no triangle");
+    report.log_counts();
     return scene;
 }
 

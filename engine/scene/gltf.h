@@ -1,17 +1,22 @@
 #pragma once
 
+#include "scene/gltf_diagnostic.h"
+#include "scene/gltf_limits.h"
 #include "scene/scene.h"
 
 #include <filesystem>
+#include <vector>
 
 namespace alpenglow {
 
 struct GltfOptions {
     int largest_texture = 4096; ///< [texels] larger pictures are halved until they fit, with a warning
+    GltfLimits limits{};
+    std::vector<GltfDiagnostic>* warnings = nullptr; ///< where the first 1000 are put as well
 };
 
 /// Reads a .gltf or .glb file (by content, not by name). Bytes are checked before and after the parser; warnings go to
-/// the log. Throws Error(bad_input) with the file, the JSON pointer and the reason.
+/// the log. Throws GltfError.
 Scene load_gltf(std::filesystem::path const& file, GltfOptions const& options = {});
 
 /// Bends a scene made for a flat map plane to a planet: a vertex at horizontal distance d from the origin goes to the
