@@ -23,7 +23,8 @@ Geodetic parse_place(std::string_view option, std::string_view text);
 Override parse_override(std::string_view option, std::string_view text);
 
 /// Which of `choices` the text is, from 0.
-std::size_t parse_choice(std::string_view option, std::string_view text, std::initializer_list<std::string_view> choices);
+std::size_t parse_choice(std::string_view option, std::string_view text,
+                         std::initializer_list<std::string_view> choices);
 
 struct PictureFormats {
     bool png = false, exr = false;

@@ -91,7 +91,8 @@ struct TerrainCommandOptions {
 
 struct ReferenceOptions {
     std::vector<std::filesystem::path> views; ///< at least one
-    int samples = 4096; ///< paths for each pixel, at most where `noise` is given; rounded up to whole passes, two at least
+    /// Paths for each pixel, at most where `noise` is given; rounded up to whole passes, two at least.
+    int samples = 4096;
     double noise = 0;   ///< HDR-FLIP between two halves at which a view is done; 0: after all samples
     int orders = 0;     ///< events between sun and camera; 0: any number
     bool point_sun = false;

@@ -8,12 +8,15 @@
 #include "sandbox/commands.h"
 #include "sandbox/traced_view.h"
 
+#include <algorithm>
 #include <atomic>
 #include <bit>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <fmt/format.h>
 #include <mutex>
+#include <set>
 
 namespace alpenglow {
 
@@ -63,6 +66,35 @@ std::string recipe(View const& view, ReferenceOptions const& options) {
                        options.size.height);
 }
 
+/// A picture is named after its view's file.
+void require_different_names(std::vector<View> const& views) {
+    std::set<std::string> names;
+    for (View const& view : views) {
+        if (names.insert(view.name).second) continue;
+        throw Error(ErrorKind::wrong_use, "two views are named " + view.name + ", and so would be their pictures", {},
+                    "trace them into different folders");
+    }
+}
+
+std::filesystem::path picture_file(View const& view, ReferenceOptions const& options) {
+    return options.out / (view.name + ".exr");
+}
+
+std::filesystem::path state_file(View const& view, ReferenceOptions const& options) {
+    return options.out / (view.name + ".state");
+}
+
+/// Whether an earlier run made the picture as well as it is asked for now.
+bool is_finished(View const& view, ReferenceOptions const& options) {
+    std::filesystem::path const file = picture_file(view, options);
+    if (std::filesystem::exists(state_file(view, options)) || !std::filesystem::exists(file)) return false;
+    std::map<std::string, std::string> attributes = read_record(file).attributes;
+    if (attributes["recipe"] != recipe(view, options)) return false;
+    double const samples = std::strtod(attributes["samples"].c_str(), nullptr);
+    double const noise = std::strtod(attributes["noise_flip"].c_str(), nullptr);
+    return samples >= options.samples || noise <= options.noise;
+}
+
 /// One view on its way to a picture, and the file that keeps what is done so far.
 class Tracing {
 public:
@@ -70,14 +102,14 @@ public:
         : view_(view), options_(options), recipe_(recipe(view, options)),
           traced_(view, options.point_sun ? SunShape::point : SunShape::disc, options.orders),
           picture_(options.size) {
-        if (options.resume && std::filesystem::exists(state_file())) restore();
+        if (options.resume && std::filesystem::exists(state_file(view_, options_))) restore();
     }
 
     /// False where the user interrupted it.
     bool finish() {
         int const most = std::max(2, (options_.samples + PASS_PATHS - 1) / PASS_PATHS); // two halves
-        Progress progress("tracing " + view_.name, static_cast<std::size_t>(most) * options_.size.height);
         std::atomic<std::size_t> rows = static_cast<std::size_t>(picture_.passes()) * options_.size.height;
+        Progress progress("tracing " + view_.name, static_cast<std::size_t>(most) * options_.size.height, rows);
         std::mutex mutex;
         auto const row_done = [&] {
             std::size_t const done = ++rows;
@@ -96,28 +128,26 @@ public:
     }
 
 private:
-    std::filesystem::path state_file() const { return options_.out / (view_.name + ".state"); }
-
     void save() const {
         std::vector<std::byte> bytes(recipe_.size() + 1);
         std::memcpy(bytes.data(), recipe_.c_str(), bytes.size());
         std::vector<std::byte> const state = picture_.state();
         bytes.insert(bytes.end(), state.begin(), state.end());
-        write_file(state_file(), bytes);
+        write_file(state_file(view_, options_), bytes);
     }
 
     void restore() {
-        std::vector<std::byte> const bytes = read_file(state_file());
+        std::vector<std::byte> const bytes = read_file(state_file(view_, options_));
         auto const* const text = reinterpret_cast<char const*>(bytes.data());
         std::size_t const length = strnlen(text, bytes.size());
         if (std::string_view(text, length) != recipe_) {
-            throw Error(ErrorKind::bad_input, "was made for another view, size, seed or sun", state_file().string(),
-                        "leave --resume out to begin again");
+            throw Error(ErrorKind::bad_input, "was made for another view, size, seed, sun or number of orders",
+                        state_file(view_, options_).string(), "leave --resume out to begin again");
         }
         try {
-            picture_.restore(std::span(bytes).subspan(length + 1));
+            picture_.restore(std::span(bytes).subspan(std::min(length + 1, bytes.size())));
         } catch (Error const& error) {
-            throw Error(ErrorKind::bad_input, error.what(), state_file().string(), "delete it");
+            throw Error(ErrorKind::bad_input, error.what(), state_file(view_, options_).string(), "delete it");
         }
     }
 
@@ -141,14 +171,15 @@ private:
             {"command", fmt::format("alpenglow reference {}.json --samples {} --orders {} --size {}x{} --seed {}{}",
                                     view_.name, samples, orders_text(options_.orders), options_.size.width,
                                     options_.size.height, options_.seed, options_.point_sun ? " --sun point" : "")},
+            {"recipe", recipe_},
             {"seed", std::to_string(options_.seed)},
             {"samples", std::to_string(samples)},
             {"passes", std::to_string(picture_.passes())},
             {"noise_flip", fmt::format("{:.5g}", noise.flip)},
             {"noise_rmse", fmt::format("{:.5g}", noise.rmse)},
         };
-        write_exr(options_.out / (view_.name + ".exr"), record);
-        std::filesystem::remove(state_file());
+        write_exr(picture_file(view_, options_), record);
+        std::filesystem::remove(state_file(view_, options_));
         fmt::print("{}: {} samples, {:.1f} events each; between halves FLIP {:.4f}, RMSE {:.3g}\n", view_.name, samples,
                    double(picture_.events()) / (double(samples) * double(options_.size.pixels())), noise.flip,
                    noise.rmse);
@@ -168,9 +199,11 @@ private:
 int reference(ReferenceOptions const& options) {
     std::vector<View> views;
     for (std::filesystem::path const& file : options.views) views.push_back(load_view(file));
+    require_different_names(views);
     require_writable_folder(options.out);
     std::signal(SIGINT, [](int) { interrupted = true; });
     for (View const& view : views) {
+        if (options.resume && is_finished(view, options)) continue;
         if (Tracing(view, options).finish()) continue;
         throw Error(ErrorKind::bad_input, "interrupted", view.name, "go on with --resume");
     }

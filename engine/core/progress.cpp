@@ -7,8 +7,8 @@
 
 namespace alpenglow {
 
-Progress::Progress(std::string title, std::size_t steps)
-    : title_(std::move(title)), steps_(std::max<std::size_t>(steps, 1)), terminal_(::isatty(STDERR_FILENO) == 1) {}
+Progress::Progress(std::string title, std::size_t steps, std::size_t begun)
+    : title_(std::move(title)), steps_(std::max<std::size_t>(steps, 1)), begun_(begun), terminal_(::isatty(STDERR_FILENO) == 1) {}
 
 Progress::~Progress() {
     if (open_line_) std::fputc('\n', stderr);
@@ -23,9 +23,11 @@ void Progress::update(std::size_t done, std::string const& note) {
 
     double const fraction = std::min(1.0, static_cast<double>(done) / static_cast<double>(steps_));
     double const elapsed = std::chrono::duration<double>(now - start_).count();
+    double const new_steps = static_cast<double>(done) - static_cast<double>(begun_);
+    double const steps_left = static_cast<double>(steps_) - static_cast<double>(done);
     std::string const eta = last ? fmt::format("done in {:.1f} s", elapsed)
-                          : fraction > 0 ? fmt::format("{:.0f} s left", elapsed * (1 - fraction) / fraction)
-                                         : std::string("…");
+                          : new_steps > 0 ? fmt::format("{:.0f} s left", elapsed * steps_left / new_steps)
+                                          : std::string("…");
     constexpr int width = 24;
     int const filled = static_cast<int>(fraction * width);
     std::string const line = fmt::format("{} [{:#<{}}{:.<{}}] {:3.0f} % {} {}", title_, "", filled, "", width - filled,

@@ -10,7 +10,8 @@ namespace alpenglow {
 /// so that a log stays readable.
 class Progress {
 public:
-    Progress(std::string title, std::size_t steps);
+    /// `begun`: steps that were done before, which say nothing of the time that is left.
+    Progress(std::string title, std::size_t steps, std::size_t begun = 0);
     ~Progress();
     Progress(Progress const&) = delete;
     Progress& operator=(Progress const&) = delete;
@@ -21,7 +22,7 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
     std::string title_;
-    std::size_t steps_;
+    std::size_t steps_, begun_;
     Clock::time_point start_ = Clock::now();
     Clock::time_point printed_{};
     bool terminal_;

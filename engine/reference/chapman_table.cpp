@@ -10,7 +10,9 @@ namespace alpenglow {
 
 namespace {
 
-constexpr int RADII = 8;      ///< on which the nodes hardly depend: interpolated linearly
+/// Of a radius to the next, relatively. The nodes hardly depend on it: they are interpolated linearly.
+constexpr double RADIUS_STEP = 2.5e-3;
+constexpr int LEAST_RADII = 8, MOST_RADII = 512;
 constexpr int COSINES = 384;  ///< in x = width / (mu + width), even from 0 to 1
 constexpr int POINTS = 4;     ///< of the interpolation in x
 
@@ -62,12 +64,17 @@ template <int N> std::array<double, N> lagrange_weights(double x) {
     return weights;
 }
 
+int radii_between(double lowest, double highest) {
+    double const steps = std::ceil((highest - lowest) / (RADIUS_STEP * lowest));
+    return static_cast<int>(std::clamp(steps + 1, double(LEAST_RADII), double(MOST_RADII)));
+}
+
 } // namespace
 
 ChapmanTable::ChapmanTable(double lowest, double highest, double scale_height)
-    : lowest_(lowest), scale_height_(scale_height), rows_per_metre_((RADII - 1) / (highest - lowest)),
-      nodes_(RADII * COSINES) {
-    for (int i = 0; i < RADII; ++i) {
+    : rows_(radii_between(lowest, highest)), lowest_(lowest), scale_height_(scale_height),
+      rows_per_metre_((rows_ - 1) / (highest - lowest)), nodes_(rows_ * COSINES) {
+    for (int i = 0; i < rows_; ++i) {
         double const r = lowest + i / rows_per_metre_, width = width_of(r, scale_height);
         nodes_[i * COSINES] = 1 + scale_height / r; // the limit of endless mu: a climb c takes (c + c^2 / (2 r)) / mu
         for (int k = 1; k < COSINES; ++k) {
@@ -81,7 +88,7 @@ double ChapmanTable::path(double radius, double mu) const {
     double const width = width_of(radius, scale_height_);
     double const over = 1 / (mu + width);
     double const row = (radius - lowest_) * rows_per_metre_, column = width * over * (COSINES - 1);
-    int const first_row = std::clamp(static_cast<int>(row), 0, RADII - 2);
+    int const first_row = std::clamp(static_cast<int>(row), 0, rows_ - 2);
     int const first_column = std::clamp(static_cast<int>(column) - POINTS / 2 + 1, 0, COSINES - POINTS);
     double const between = row - first_row;
     auto const columns = lagrange_weights<POINTS>(column - first_column);

@@ -38,7 +38,9 @@ std::vector<double> leg_edges(Ray const& ray, double from, double to, double rad
     for (int i = 1; i < LEG_CELLS; ++i) {
         double const x = widest * i / LEG_CELLS;
         double const r = radius + lowest - CELL_HEIGHT * std::log1p(-x * x);
-        edges.push_back(-ray.along + sign * std::sqrt(std::max(0.0, r * r - ray.closest_squared)));
+        // Near the closest approach the root is off by centimetres.
+        double const distance = -ray.along + sign * std::sqrt(std::max(0.0, r * r - ray.closest_squared));
+        edges.push_back(std::clamp(distance, std::min(from, to), std::max(from, to)));
     }
     edges.push_back(to);
     return edges;

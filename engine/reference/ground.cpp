@@ -1,6 +1,7 @@
 #include "reference/ground.h"
 
 #include "reference/planet_body.h"
+#include "reference/surface_scattering.h"
 #include "reference/terrain_mesh.h"
 
 #include <algorithm>
@@ -61,12 +62,12 @@ GroundPoint Ground::planet_point(glm::dvec3 const& origin, glm::dvec3 const& dir
     point.position = unit * (planet_.radius * (1 + PLANET_OFFSET));
     point.facing = point.shading = unit;
     if (!(pixel_angle > 0) || planet_.look == GroundLook::uniform) {
-        point.surface = shader_double::make_surface(planet_.ground_albedo, 0.0, 1.0, 0.0);
+        point.surface = make_ground_surface(planet_.ground_albedo, 0.0, 1.0, 0.0);
         return point;
     }
     double const facing = std::max(glm::dot(unit, -direction), LEAST_FACING);
     BodyLook const look = look_of_body(planet_, reached, pixel_angle * distance / std::sqrt(facing));
-    point.surface = shader_double::make_surface(look.albedo, 0.0, look.roughness);
+    point.surface = make_ground_surface(look.albedo, 0.0, look.roughness);
     return point;
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int SHELLS = 14;
 constexpr int LONGEST_PIECES = 8;       ///< of a ray in a shell
-constexpr double PIECE_LENGTH = 60'000; ///< [m] along it the sun's height changes by half a degree
+constexpr double PIECE_LENGTH = 60'000; ///< [m] the sun's height changes by half a degree along it
 constexpr double PIECE_DEPTH = 0.5;     ///< optical; a piece may be more where there are not enough of them
 constexpr int MOST_PIECES = 2 * SHELLS * LONGEST_PIECES;
 constexpr double PLAIN_SHARE = 0.2;     ///< of the choices, made without regard to brightness
@@ -52,9 +52,11 @@ LedFlight::Choice LedFlight::choose(Ray const& ray, double from, double to, glm:
         int const parts = 1 + static_cast<int>(std::min(wanted, LONGEST_PIECES - 1.0));
         for (int i = 0; i < parts && count < pieces.size(); ++i) {
             double const step = length / parts, begin = walk.begin() + i * step;
+            if (!(begin + step > begin)) continue; // shorter than a rounding
             depth += extinction * step;
             Piece& piece = pieces[count++];
-            piece = {begin, begin + step, scattering * step * std::exp(0.5 * extinction * step - depth) + 1e-300 * step, 0};
+            double const seen = std::exp(0.5 * extinction * step - depth);
+            piece = {begin, begin + step, scattering * step * seen + 1e-300 * step, 0};
             piece.bright = piece.plain * guide_->at(ray.at(begin + 0.5 * step)).all();
             plain += piece.plain;
             bright += piece.bright;

@@ -8,7 +8,8 @@ namespace alpenglow {
 namespace {
 
 constexpr double LEAST = 1e-7;        ///< of the brightest place: none is taken as darker
-constexpr double EVEN_SHARE = 0.15f;  ///< of the directions' choices, made without regard to light
+constexpr double EVEN_SHARE = 0.15;   ///< of the directions' choices, made without regard to light
+constexpr int ORDERS = 3;             ///< of scattering that are gathered
 constexpr int STEPS = 14;             ///< of a gathering ray
 
 double mean(glm::dvec3 const& color) { return (color.x + color.y + color.z) / 3; }
@@ -32,8 +33,8 @@ struct Pick {
     double inside;
 };
 Pick pick(float const* cumulative, int count, double u) {
-    int const bin = static_cast<int>(std::upper_bound(cumulative + 1, cumulative + count, static_cast<float>(u)) -
-                                     cumulative) - 1;
+    float const* const above = std::upper_bound(cumulative + 1, cumulative + count, static_cast<float>(u));
+    int const bin = static_cast<int>(above - cumulative) - 1;
     double const share = double(cumulative[bin + 1]) - double(cumulative[bin]);
     return {bin, std::clamp((u - double(cumulative[bin])) / share, 0.0, 1.0)};
 }
@@ -45,22 +46,16 @@ LightGuide::LightGuide(Medium const& medium, Sunlight const& sun)
     std::vector<float> bins(NODES * BINS, 0.0f); // none lit: all directions alike
     bool const dark = sun.source().irradiance == glm::dvec3(0) || medium.components.empty();
     if (!dark) {
-        glm::dvec3 across, other;
-        make_basis(to_sun_, across, other);
-        double brightest = 0;
-        for (int node = 0; node < NODES; ++node) {
-            double const x = double(node / SUNS) / (ALTITUDES - 1), cosine = cosine_at(double(node % SUNS) / (SUNS - 1));
-            glm::dvec3 const up = to_sun_ * cosine + across * std::sqrt(1 - cosine * cosine);
-            light_[node] = {mean(sun.unshadowed(up * (radius_ + top_ * x * x))), 0};
-            brightest = std::max(brightest, light_[node].direct);
-        }
-        for (int order = 0; order < 3; ++order) {
+        for (int node = 0; node < NODES; ++node) light_[node] = {mean(sun.unshadowed(place_of(node, 0))), 0};
+        for (int order = 0; order < ORDERS; ++order) {
             gather(medium, bins);
             for (int node = 0; node < NODES; ++node) {
                 light_[node].diffuse = 0; // bins are radiance times their solid angle
                 for (int bin = 0; bin < BINS; ++bin) light_[node].diffuse += double(bins[node * BINS + bin]);
             }
         }
+        double brightest = 0;
+        for (Light const& light : light_) brightest = std::max(brightest, light.direct);
         for (Light& light : light_) {
             light.direct = std::max(light.direct, LEAST * brightest);
             light.diffuse = std::max(light.diffuse, LEAST * brightest);
@@ -69,43 +64,50 @@ LightGuide::LightGuide(Medium const& medium, Sunlight const& sun)
     set_shares(bins);
 }
 
-/// For each node and direction, the light that the air along it scatters evenly: radiance times solid angle.
-void LightGuide::gather(Medium const& medium, std::vector<float>& bins) const {
+glm::dvec3 LightGuide::place_of(int node, double lowest) const {
+    double const x = double(node / SUNS) / (ALTITUDES - 1), cosine = cosine_at(double(node % SUNS) / (SUNS - 1));
     glm::dvec3 across, other;
     make_basis(to_sun_, across, other);
+    glm::dvec3 const up = to_sun_ * cosine + across * std::sqrt(1 - cosine * cosine);
+    return up * (radius_ + std::max(top_ * x * x, lowest));
+}
+
+void LightGuide::gather(Medium const& medium, std::vector<float>& bins) const {
     for (int node = 0; node < NODES; ++node) {
-        double const x = double(node / SUNS) / (ALTITUDES - 1), cosine = cosine_at(double(node % SUNS) / (SUNS - 1));
-        glm::dvec3 const up = to_sun_ * cosine + across * std::sqrt(1 - cosine * cosine);
+        glm::dvec3 const place = place_of(node, 1), up = normalize(place);
         glm::dvec3 const ahead = sunward(up, to_sun_), aside = cross(up, ahead);
-        glm::dvec3 const place = up * (radius_ + std::max(top_ * x * x, 1.0));
         for (int bin = 0; bin < BINS; ++bin) {
             double const s0 = double(bin / COLUMNS) / ROWS, s1 = s0 + 1.0 / ROWS;
             double const mu = cosine_at(0.5 * (s0 + s1)), phi = M_PI * (bin % COLUMNS + 0.5) / COLUMNS;
             glm::dvec3 const direction =
                 up * mu + (ahead * std::cos(phi) + aside * std::sin(phi)) * std::sqrt(1 - mu * mu);
-            Ray const ray(place, direction);
-            double end = span_inside(ray, radius_ + top_).out;
-            if (Span const body = span_inside(ray, radius_); mu < 0 && !body.empty()) end = body.in;
-            double depth = 0, light = 0;
-            for (int i = 0; i < STEPS; ++i) { // steps grow with the distance
-                double const t0 = end * i * i / (STEPS * STEPS), t1 = end * (i + 1) * (i + 1) / (STEPS * STEPS);
-                glm::dvec3 const at = ray.at(0.5 * (t0 + t1));
-                double const altitude = length(at) - radius_;
-                Light const there = this->at(at);
-                double scattered = 0, extinction = 0;
-                for (Component const& component : medium.components) {
-                    double const column = density(component.profile, altitude) * (t1 - t0);
-                    double const straight = phase_value(component.phase, dot(direction, to_sun_));
-                    scattered += mean(component.scattering) * column * (there.direct * straight + there.diffuse / (4 * M_PI));
-                    extinction += mean(component.extinction) * column;
-                }
-                light += scattered * std::exp(-depth - 0.5 * extinction);
-                depth += extinction;
-            }
             double const solid_angle = 2 * M_PI / COLUMNS * (cosine_at(s1) - cosine_at(s0));
-            bins[node * BINS + bin] = static_cast<float>(light * solid_angle);
+            bins[node * BINS + bin] = static_cast<float>(scattered_along(medium, Ray(place, direction)) * solid_angle);
         }
     }
+}
+
+double LightGuide::scattered_along(Medium const& medium, Ray const& ray) const {
+    double end = span_inside(ray, radius_ + top_).out;
+    if (Span const body = span_inside(ray, radius_); ray.along < 0 && !body.empty()) end = body.in;
+    double const cosine = dot(ray.direction, to_sun_);
+    double depth = 0, light = 0;
+    for (int i = 0; i < STEPS; ++i) { // steps grow with the distance
+        double const t0 = end * i * i / (STEPS * STEPS), t1 = end * (i + 1) * (i + 1) / (STEPS * STEPS);
+        glm::dvec3 const place = ray.at(0.5 * (t0 + t1));
+        double const altitude = length(place) - radius_;
+        Light const there = at(place);
+        double scattered = 0, extinction = 0;
+        for (Component const& component : medium.components) {
+            double const column = density(component.profile, altitude) * (t1 - t0);
+            double const straight = phase_value(component.phase, cosine);
+            scattered += mean(component.scattering) * column * (there.direct * straight + there.diffuse / (4 * M_PI));
+            extinction += mean(component.extinction) * column;
+        }
+        light += scattered * std::exp(-depth - 0.5 * extinction);
+        depth += extinction;
+    }
+    return light;
 }
 
 void LightGuide::set_shares(std::vector<float> const& bins) {
@@ -141,7 +143,8 @@ LightGuide::Grid LightGuide::grid_at(glm::dvec3 const& place) const {
 
 LightGuide::Light LightGuide::at(glm::dvec3 const& place) const {
     Grid const grid = grid_at(place);
-    int const i = std::min(static_cast<int>(grid.row), ALTITUDES - 2), k = std::min(static_cast<int>(grid.column), SUNS - 2);
+    int const i = std::min(static_cast<int>(grid.row), ALTITUDES - 2);
+    int const k = std::min(static_cast<int>(grid.column), SUNS - 2);
     double const y = grid.row - i, x = grid.column - k;
     Light const* const node = &light_[i * SUNS + k];
     auto const between = [&](double Light::*part) {

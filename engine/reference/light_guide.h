@@ -7,10 +7,10 @@
 
 namespace alpenglow {
 
-/// Roughly how bright the air is in which place, and from which directions light arrives there: what light paths are led
-/// by. Wrong values cost noise, never truth. Places are told apart by altitude and the sun's zenith angle, directions by
-/// their angles with the zenith and, around it, with the sun; light is grey here, ground is black, and what
-/// was scattered once is scattered evenly ever after.
+/// Roughly how bright the air is in which place, and from which directions light arrives there: what light paths are
+/// led by. Wrong values cost noise, never truth. Places are told apart by altitude and the sun's zenith angle,
+/// directions by their angles with the zenith and, around it, with the sun; light is grey here, ground is black, and
+/// what was scattered once is scattered evenly ever after.
 class LightGuide {
 public:
     /// Even light where there is no sun. Takes some tenths of a second.
@@ -48,13 +48,18 @@ private:
         double row, column; ///< fractional places of altitude and sun
     };
     Grid grid_at(glm::dvec3 const& place) const;
+    /// Of a node, in the plane of one great circle through the sun [m]; at the altitude `lowest` [m] at least.
+    glm::dvec3 place_of(int node, double lowest) const;
+    /// For each node and direction, the light that the air along it scatters: radiance times solid angle.
     void gather(Medium const& medium, std::vector<float>& bins) const;
+    /// Radiance of the air along a ray that starts in it.
+    double scattered_along(Medium const& medium, Ray const& ray) const;
     void set_shares(std::vector<float> const& bins);
 
     double radius_, top_;
     glm::dvec3 to_sun_;
     std::vector<Light> light_;  ///< for each node
-    std::vector<float> shares_;      ///< NODE_SIZE for each node
+    std::vector<float> shares_; ///< NODE_SIZE for each node
 };
 
 } // namespace alpenglow

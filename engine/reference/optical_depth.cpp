@@ -53,7 +53,8 @@ glm::dvec3 OpticalDepth::above_top(double radius, double mu) const {
     double const p_squared = radius * radius * std::max(0.0, 1 - mu * mu);
     double const mu_top = std::sqrt(std::max(0.0, 1 - p_squared / (top_radius_ * top_radius_)));
     for (ExponentialPart const& part : exponential_) {
-        if (part.top_density > 1e-14) sum += part.extinction * (part.top_density * part.table.path(top_radius_, mu_top));
+        if (part.top_density < 1e-14) continue;
+        sum += part.extinction * (part.top_density * part.table.path(top_radius_, mu_top));
     }
     return sum;
 }
@@ -71,9 +72,11 @@ glm::dvec3 DepthAlong::at(double distance) const {
     // On the way in, depth still to come to the top behind; on the way out the closest approach is passed as well.
     if (mu < 0) return depth_->rising(radius, -mu);
     if (!inward_) {
-        // A ray whose closest approach is inside the planet climbs all the way: any constant serves.
+        // A ray whose closest approach is inside the planet climbs all the way: any constant serves. One that grazes
+        // may seem to be inside by a rounding.
         double const closest = std::sqrt(ray_->closest_squared);
-        inward_ = closest < depth_->planet_radius() ? glm::dvec3(0) : 2.0 * depth_->rising(closest, 0);
+        bool const climbs = closest < depth_->planet_radius() * (1 - 1e-12);
+        inward_ = climbs ? glm::dvec3(0) : 2.0 * depth_->rising(closest, 0);
     }
     return *inward_ - depth_->rising(radius, mu);
 }

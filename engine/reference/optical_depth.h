@@ -53,7 +53,7 @@ public:
 private:
     OpticalDepth const* depth_;
     Ray const* ray_;
-    mutable std::optional<glm::dvec3> inward_; ///< twice the depth from the closest approach to the top
+    mutable std::optional<glm::dvec3> inward_; ///< twice `rising` from the closest approach, once it is asked for
 };
 
 } // namespace alpenglow

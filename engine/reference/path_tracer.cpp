@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace alpenglow {
 
@@ -80,7 +81,8 @@ PathTracer::Estimate PathTracer::trace(glm::dvec3 const& origin, glm::dvec3 cons
     };
     int const from_air = flight ? ground && !is_black(*ground) ? share_of_air(behind, paths) : paths : 0;
     for (int i = 0; i < from_air; ++i) {
-        Path path{.direction = direction, .numbers = PathNumbers(hash(key, 1), first_index + static_cast<std::uint32_t>(i))};
+        Path path{.direction = direction,
+                  .numbers = PathNumbers(hash(key, 1), first_index + static_cast<std::uint32_t>(i))};
         FirstFlight::Choice const choice = flight->choose(path.numbers.next());
         path.place = ray.at(choice.distance);
         path.throughput = choice.weight;
@@ -122,14 +124,17 @@ bool PathTracer::scatter_in_air(Path& path) const {
     auto const towards = [&](glm::dvec3 const& direction) {
         glm::dvec3 value(0);
         double const cosine = dot(path.direction, direction);
-        for (std::size_t i = 0; i < count; ++i) value += densities[i] * phase_value(medium_.components[i].phase, cosine);
+        for (std::size_t i = 0; i < count; ++i) {
+            value += densities[i] * phase_value(medium_.components[i].phase, cosine);
+        }
         return path.throughput * value;
     };
     ++path.events;
     // One set of numbers for the turn, one for the sun and the flight: the same dimensions for every path.
     double const choice = path.numbers.next(), u = path.numbers.next(), v = path.numbers.next();
     path.numbers.next_set();
-    SunRay const sun = sun_.sample(path.place, path.numbers.next(), path.numbers.next());
+    double const turn = path.numbers.next(), offset = path.numbers.next();
+    SunRay const sun = sun_.sample(path.place, offset, turn);
     if (sun.irradiance != glm::dvec3(0)) path.radiance += towards(sun.direction) * sun.irradiance;
     if (path.events == options_.orders) return false;
 
@@ -162,7 +167,8 @@ bool PathTracer::scatter_on_ground(Path& path, GroundPoint const& point) const {
     glm::dvec3 const to_viewer = -path.direction;
     double const u1 = path.numbers.next(), u2 = path.numbers.next(), u3 = path.numbers.next();
     path.numbers.next_set();
-    SunRay const sun = sun_.sample(point.position, path.numbers.next(), path.numbers.next());
+    double const turn = path.numbers.next(), offset = path.numbers.next();
+    SunRay const sun = sun_.sample(point.position, offset, turn);
     if (sun.irradiance != glm::dvec3(0)) {
         path.radiance += path.throughput * reflect(point, to_viewer, sun.direction) * sun.irradiance;
     }

@@ -15,8 +15,8 @@ namespace alpenglow {
 /// All three channels go along one path. Through thick air a flight is tracked in a channel that is chosen by the light
 /// the path carries, and weighted by all channels' probabilities of having made it (the balance heuristic of Veach and
 /// Guibas 1995, as for wavelengths in Wilkie et al. 2014), so that the sum over channels never changes by the choice;
-/// likewise the constituent of the air that turns it. In thin air the first few collisions are forced, and led to where
-/// it is bright.
+/// likewise the constituent of the air that turns it. A path's first few flights, where some light gets through,
+/// collide where it is bright or pass.
 class PathTracer {
 public:
     struct Options {
@@ -51,7 +51,8 @@ private:
     bool scatter_on_ground(Path& path, GroundPoint const& point) const;
     void walk(Path& path) const;
     bool fly(Path& path, Ray const& ray, std::optional<GroundPoint> const& ground) const;
-    bool fly_tracked(Path& path, Ray const& ray, Span const& air, DepthAlong const& depth, glm::dvec3 const& start) const;
+    bool fly_tracked(Path& path, Ray const& ray, Span const& air, DepthAlong const& depth,
+                     glm::dvec3 const& start) const;
     bool survives(Path& path, double light) const;
 
     Medium medium_;

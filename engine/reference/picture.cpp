@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <numeric>

@@ -67,8 +67,8 @@ std::uint32_t reverse_bits(std::uint32_t x) {
     return ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
 }
 
-/// Owen scrambling of a number whose bits are reversed: each bit is flipped by a hash of those that were above it (Laine
-/// and Karras 2011; constants of Burley).
+/// Owen scrambling of a number whose bits are reversed: each bit is flipped by a hash of those that were above it
+/// (Laine and Karras 2011; constants of Burley).
 std::uint32_t scramble_reversed(std::uint32_t x, std::uint32_t seed) {
     x += seed;
     x ^= x * 0x6c50b47cu;

@@ -25,7 +25,6 @@ public:
     double independent();
 
 private:
-
     std::uint64_t key_;
     std::uint32_t index_;
     std::uint64_t state_;

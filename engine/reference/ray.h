@@ -2,6 +2,7 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace alpenglow {
@@ -19,7 +20,9 @@ struct Ray {
     }
 
     glm::dvec3 at(double distance) const { return origin + distance * direction; }
-    double radius_at(double distance) const { return std::sqrt(closest_squared + (along + distance) * (along + distance)); }
+    double radius_at(double distance) const {
+        return std::sqrt(closest_squared + (along + distance) * (along + distance));
+    }
     /// Cosine between the direction and the zenith.
     double mu_at(double distance) const { return (along + distance) / radius_at(distance); }
 };

@@ -15,7 +15,7 @@ glm::dvec3 Sunlight::through_air(glm::dvec3 const& place, glm::dvec3 const& dire
     double const radius = ray.radius_at(0);
     if (radius >= top_radius_) {
         Span const air = span_inside(ray, top_radius_);
-        if (air.empty() || air.out <= 0) return source_.irradiance;
+        if (air.empty() || ray.along >= 0) return source_.irradiance;
         return source_.irradiance * exp(-depth_->to_top(top_radius_, ray.mu_at(air.in)));
     }
     return source_.irradiance * exp(-depth_->to_top(radius, ray.along / radius));

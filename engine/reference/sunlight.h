@@ -25,7 +25,8 @@ public:
     /// The parts must outlive this.
     Sunlight(LightSource const& source, OpticalDepth const& depth, Ground const& ground, double top_radius);
 
-    /// From a point of the disc, chosen evenly by numbers in [0, 1); dark behind planet and scene.
+    /// From a point of the disc, chosen evenly by numbers in [0, 1): u1 its distance from the centre, u2 the way round.
+    /// Dark behind planet and scene.
     SunRay sample(glm::dvec3 const& place, double u1, double u2) const;
     /// From the disc's centre, as if no scene stood there.
     glm::dvec3 unshadowed(glm::dvec3 const& place) const;

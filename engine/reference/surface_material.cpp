@@ -1,5 +1,7 @@
 #include "reference/surface_material.h"
 
+#include "reference/surface_scattering.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -115,12 +117,12 @@ bool cut_out(Scene const& scene, Material const& material, TrianglePlace const& 
     return material.alpha_mask && base_color_at(scene, material, place).a < material.alpha_cutoff;
 }
 
-shader_double::Surface surface_at(Scene const& scene, Material const& material, TrianglePlace const& place) {
+GroundSurface surface_at(Scene const& scene, Material const& material, TrianglePlace const& place) {
     glm::dvec3 const color = glm::clamp(glm::dvec3(base_color_at(scene, material, place)), 0.0, 1.0);
     glm::dvec4 const texture = sample_texture(scene, material.metallic_roughness_texture, place, false);
     double const metalness = std::clamp(material.metallic * texture.b, 0.0, 1.0);
     double const roughness = std::clamp(material.roughness * texture.g, 0.0, 1.0);
-    return shader_double::make_surface(color, metalness, roughness);
+    return make_ground_surface(color, metalness, roughness);
 }
 
 glm::dvec3 emission_at(Scene const& scene, Material const& material, TrianglePlace const& place) {

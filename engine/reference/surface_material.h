@@ -1,6 +1,6 @@
 #pragma once
 
-#include "reference/surface_in_double.h"
+#include "reference/ground_point.h"
 #include "scene/scene.h"
 
 #include <array>
@@ -28,7 +28,7 @@ glm::dvec4 sample_texture(Scene const& scene, Texture const& texture, TrianglePl
 bool cut_out(Scene const& scene, Material const& material, TrianglePlace const& place);
 
 /// Colour, metalness and roughness from factors, textures and vertex colours. Occlusion is left to the tracer.
-shader_double::Surface surface_at(Scene const& scene, Material const& material, TrianglePlace const& place);
+GroundSurface surface_at(Scene const& scene, Material const& material, TrianglePlace const& place);
 glm::dvec3 emission_at(Scene const& scene, Material const& material, TrianglePlace const& place);
 
 /// The vertex normals' mean in world space, on `facing`'s side, with the normal map over it: by tangents, or where

@@ -6,6 +6,9 @@
 
 namespace alpenglow {
 
+/// The surface of a material; `roughness` is perceptual.
+GroundSurface make_ground_surface(glm::dvec3 const& albedo, double metalness, double roughness, double gloss = 1);
+
 /// Reflected radiance for a unit of irradiance across `to_light` [1/sr]: shaders/surface/brdf.glsl times the cosine
 /// with the shading normal. 0 where the light stands below the horizon of the shading or of the geometric normal: what
 /// comes through the surface is no light on it, so that bumps lose what they would scatter through it. Vectors are

@@ -1,5 +1,6 @@
-// The second C++ compile of the shared text, in double precision, for tests and the path tracer: `tests/support/air_in_double.h`
-// and `engine/reference/surface_in_double.h` turn `float` into `double` around it. Literals stay float, so GLM's templates need the scalar functions once more.
+// The second C++ compile of the shared text, in double precision, for tests and the path tracer:
+// `tests/support/air_in_double.h` and `engine/reference/surface_scattering.cpp` turn `float` into `double` around it.
+// Literals stay float, so GLM's templates need the scalar functions once more.
 #ifndef ALPENGLOW_INTEROP_LANGUAGE_DOUBLE_H
 #define ALPENGLOW_INTEROP_LANGUAGE_DOUBLE_H
 

@@ -26,6 +26,19 @@ std::filesystem::path reference_of(std::filesystem::path const& view_file) {
     return SOURCE / "assets/references" / (view_file.stem().string() + ".exr");
 }
 
+/// Mean of the variance over the pixels around one: few passes say little of a single pixel's.
+glm::dvec3 variance_around(FloatImage const& variance, std::uint32_t x, std::uint32_t y) {
+    constexpr std::uint32_t reach = 3;
+    glm::dvec3 sum(0);
+    int count = 0;
+    for (std::uint32_t v = y - std::min(y, reach); v <= std::min(y + reach, variance.extent.height - 1); ++v) {
+        for (std::uint32_t u = x - std::min(x, reach); u <= std::min(x + reach, variance.extent.width - 1); ++u, ++count) {
+            for (int c = 0; c < 3; ++c) sum[c] += double(variance.at(u, v)[c]);
+        }
+    }
+    return sum / double(count);
+}
+
 /// How far some pixels of a stored picture are from what another seed makes of them, in standard deviations.
 struct Disagreement {
     double chi_squared = 0; ///< mean over pixels and channels of (difference / deviation)^2; 1 where both are right
@@ -38,21 +51,18 @@ Disagreement disagreement(RadianceRecord const& record, TracedView const& view, 
     std::string const& text = record.attributes.at("passes");
     std::from_chars(text.data(), text.data() + text.size(), passes);
     Extent const size = record.radiance.extent;
-    glm::dvec3 squares(0), differences(0), weighted_variance(0);
+    glm::dvec3 squares(0), differences(0);
     for (int i = 0; i < pixels; ++i) {
         std::uint64_t const random = hash(OTHER_SEED, static_cast<std::uint64_t>(i)) % size.pixels();
         auto const x = static_cast<std::uint32_t>(random % size.width), y = static_cast<std::uint32_t>(random / size.width);
         glm::dvec3 const traced = trace_pixel(view.tracer(), view.camera(), size, x, y, OTHER_SEED, 0).radiance;
-        for (int c = 0; c < 3; ++c) {
-            double const variance = double(record.variance->at(x, y)[c]) * (1 + passes) + 1e-30;
-            double const difference = traced[c] - double(record.radiance.at(x, y)[c]);
-            double const weight = 1 / std::sqrt(variance);
-            squares[c] += difference * difference / variance;
-            differences[c] += difference * weight;
-            weighted_variance[c] += 1;
-        }
+        float const* const stored = record.radiance.at(x, y);
+        glm::dvec3 const variance = variance_around(*record.variance, x, y) * (1.0 + passes) + 1e-30;
+        glm::dvec3 const deviations = (traced - glm::dvec3(stored[0], stored[1], stored[2])) / sqrt(variance);
+        squares += deviations * deviations;
+        differences += deviations;
     }
-    glm::dvec3 const bias = abs(differences) / sqrt(weighted_variance);
+    glm::dvec3 const bias = abs(differences) / std::sqrt(pixels);
     return {(squares.x + squares.y + squares.z) / (3 * pixels), std::max({bias.x, bias.y, bias.z})};
 }
 
@@ -66,14 +76,13 @@ std::string test_name(testing::TestParamInfo<std::filesystem::path> const& info)
 
 } // namespace
 
-/// Variances of few passes are rough and their means heavy-tailed, pixels of one pass are not quite independent: bounds
-/// of 1.6 and of 5 deviations where 1.0 and 3 would be usual.
+/// Found: 0.3 (where most pixels are black) to 1.2, and 2.9 at most. The variance of a few passes is a rough figure.
 TEST_P(References, agree_with_another_seed) {
     RadianceRecord const record = read_record(reference_of(GetParam()));
     ASSERT_TRUE(record.variance);
     Disagreement const found = disagreement(record, TracedView(load_view(GetParam())), 300);
-    EXPECT_LT(found.chi_squared, 1.6);
-    EXPECT_LT(found.bias, 5);
+    EXPECT_LT(found.chi_squared, 1.5);
+    EXPECT_LT(found.bias, 4.5);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, References, testing::ValuesIn(view_files()), test_name);

@@ -39,6 +39,13 @@ std::vector<Refusal> rows() {
         wrong_use("evaluate_unknown_setting", {"evaluate", "--set", "sampels=8"}, {"sampels", "samples"}),
         wrong_use("compare_one_picture", {"compare", "a.exr"}, {"REFERENCE", "compare --help"}),
         wrong_use("compare_at_no_exposure", {"compare", "a.exr", "b.exr", "--exposure", "nan"}, {"--exposure", "nan"}),
+        wrong_use("reference_without_a_view", {"reference"}, {"VIEW.json", "reference --help"}),
+        wrong_use("reference_of_no_samples", {"reference", "view.json", "--samples", "0"}, {"--samples", "2 to"}),
+        wrong_use("reference_of_no_orders", {"reference", "view.json", "--orders", "0"}, {"--orders", "1 to"}),
+        wrong_use("reference_under_a_square_sun", {"reference", "view.json", "--sun", "square"}, {"--sun", "disc or point"}),
+        wrong_use("reference_of_more_noise_than_there_is", {"reference", "view.json", "--noise", "2"}, {"--noise", "to 1"}),
+        wrong_use("reference_of_no_threads", {"reference", "view.json", "--threads", "0"}, {"--threads"}),
+        wrong_use("references_of_one_name", {"reference", "view.json", "./view.json", "--out", "out"}, {"two views are named view"}),
         wrong_use("line_break_in_a_name", {"render", "view.json", "--set", "a\nalpenglow: b=1"}, {"a alpenglow: b"}),
     };
 }
@@ -54,7 +61,7 @@ INSTANTIATE_TEST_SUITE_P(Use, WrongCommandLine, testing::ValuesIn(rows()), test:
 /// The other side of the table: what is asked for in order is no error.
 TEST(CommandLine, help_and_version_go_to_stdout) {
     for (std::vector<std::string> const& arguments :
-         {std::vector<std::string>{"--help"}, {"--version"}, {"fly", "--help"}, {"render", "--help"}, {"terrain", "--help"}, {"bench", "--help"}, {"compare", "--help"}, {"evaluate", "--help"}, {"devices", "--help"}}) {
+         {std::vector<std::string>{"--help"}, {"--version"}, {"fly", "--help"}, {"render", "--help"}, {"terrain", "--help"}, {"bench", "--help"}, {"compare", "--help"}, {"evaluate", "--help"}, {"reference", "--help"}, {"devices", "--help"}}) {
         test::ProcessResult const result = test::run({.program = ALPENGLOW_PROGRAM, .arguments = arguments});
         EXPECT_EQ(result.exit_code, 0) << arguments.front();
         EXPECT_NE(result.output, "") << arguments.front();

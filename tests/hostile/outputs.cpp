@@ -20,6 +20,9 @@ std::vector<Refusal> rows() {
         {"radiance_on_a_full_disk", {"render", "view.json", "--out", "out", "--size", "64x36", "--format", "exr"}, 3, {"out/view.exr"}, view, NO_DRIVER_CACHE, FULL_DISK},
         {"render_into_a_file", {"render", "view.json", "--out", "out"}, 3, {"out", "choose another"}, view_and_file},
         {"render_below_a_file", {"render", "view.json", "--out", "out/pictures"}, 3, {"out/pictures", "choose another"}, view_and_file},
+        {"reference_into_a_file", {"reference", "view.json", "--out", "out"}, 3, {"out", "choose another"}, view_and_file},
+        {"reference_to_a_device", {"reference", "view.json", "--out", "/dev/full"}, 3, {"/dev/full", "choose another"}, view},
+        {"reference_on_a_full_disk", {"reference", "view.json", "--out", "out", "--size", "16x16", "--samples", "512"}, 3, {"out/view.state", "File too large"}, view, {}, FULL_DISK},
         {"flight_into_a_file", {"fly", "--headless", "--out", "out"}, 3, {"out", "choose another"}, view_and_file},
         {"terrain_below_a_file", {"terrain", "--out", "out/t.glb"}, 3, {"out", "choose another"}, view_and_file},
         {"picture_over_a_folder", {"render", "view.json", "--out", "out", "--size", "64x36"}, 3, {"out/view.png", "directory"}, {{"view.json", VIEW}, {"out/view.png/x", ""}}},
@@ -56,7 +59,7 @@ TEST(UnwritableFolder, is_refused_before_anything_is_drawn) {
     test::TemporaryFolder const folder;
     LockedFolder const locked(folder.path() / "out");
     for (std::vector<std::string> const& arguments : {std::vector<std::string>{"render", "view.json", "--out", "out"}, {"render", "view.json", "--out", "out/new"},
-                                                      {"fly", "--headless", "--out", "out"}, {"terrain", "--out", "out/t.glb"}}) {
+                                                      {"fly", "--headless", "--out", "out"}, {"reference", "view.json", "--out", "out"}, {"terrain", "--out", "out/t.glb"}}) {
         test::expect_refusal({arguments.front(), arguments, 3, {"out", "Permission denied"}, {{"view.json", VIEW}}}, folder.path());
     }
 }

@@ -39,6 +39,9 @@ public:
     BackgroundProcess(BackgroundProcess const&) = delete;
     BackgroundProcess& operator=(BackgroundProcess const&) = delete;
 
+    /// As Ctrl-C in a terminal.
+    void interrupt() { if (id_ > 0) ::kill(id_, SIGINT); }
+
     /// Its exit code; nothing where it still runs. A signal is 128 and its number.
     std::optional<int> exit_code() {
         if (id_ > 0) {

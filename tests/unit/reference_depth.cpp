@@ -15,9 +15,9 @@ Planet dense_planet() {
     return planet;
 }
 
-Planet small_planet() {
+Planet small_planet(double radius) {
     Planet planet = make_earth();
-    planet.radius = 6e5;
+    planet.radius = radius;
     planet.air.top_altitude = 6e4;
     return planet;
 }
@@ -27,7 +27,7 @@ double largest(dvec3 const& v) { return std::max({std::abs(v.x), std::abs(v.y), 
 } // namespace
 
 TEST(ReferenceDepth, transmittance_to_the_top_is_within_a_millionth_of_quadrature) {
-    for (Planet const& planet : {make_earth(), dense_planet(), small_planet()}) {
+    for (Planet const& planet : {make_earth(), dense_planet(), small_planet(6e5), small_planet(1e5)}) {
         Medium const medium = make_medium(planet);
         OpticalDepth const depth(medium);
         SingleScatteringQuadrature const quadrature(planet, 20);

@@ -14,7 +14,7 @@ constexpr double PI = std::numbers::pi;
 GroundPoint flat(glm::dvec3 const& albedo, double metalness, double roughness) {
     GroundPoint point;
     point.facing = point.shading = glm::normalize(glm::dvec3(0.3, -0.5, 0.8));
-    point.surface = shader_double::make_surface(albedo, metalness, roughness);
+    point.surface = make_ground_surface(albedo, metalness, roughness);
     return point;
 }
 

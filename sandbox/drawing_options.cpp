@@ -1,0 +1,93 @@
+#include "sandbox/arguments.h"
+#include "sandbox/command_options.h"
+#include "sandbox/option_kinds.h"
+
+#include <cmath>
+
+namespace alpenglow {
+
+namespace {
+
+void add_frames(CLI::App& app, int& frames, std::string const& help) {
+    add_whole(app, "--frames", frames, help, 1, 100'000);
+}
+
+void add_placement(CLI::App& app, PlacementOptions& placement) {
+    add_value(
+        app, "--at", "LAT,LON[,ALT]", [&](std::string const& t) { placement.at = parse_place("--at", t); },
+        "where the scene's origin stands [degrees, metres]");
+    add_value(
+        app, "--yaw", "DEGREES",
+        [&](std::string const& t) { placement.yaw = parse_number("--yaw", t, -360, 360) * M_PI / 180; },
+        "turns the scene clockwise seen from above");
+    add_value(
+        app, "--scale", "FACTOR",
+        [&](std::string const& t) { placement.scale = parse_number("--scale", t, 1e-6, 1e6); }, "scales the scene");
+    app.add_flag("--curve", placement.curve, "bends a terrain made for a flat map to the planet");
+}
+
+void add_draw_options(CLI::App& app, DrawOptions& options) {
+    add_value(
+        app, "--planet", "P", [&](std::string const& t) { options.planet = t; }, "name in assets/planets, or a file");
+    add_placement(app, options.placement);
+    add_overrides(app, options.overrides);
+    add_value(
+        app, "--show", "NAME",
+        [&](std::string const& t) {
+            options.overrides.push_back({"show", t});
+        },
+        "an image of the frame in place of the result");
+    add_device_options(app, options);
+}
+
+void add_scene_option(CLI::App& app, std::string const& name, std::optional<std::string>& scene) {
+    add_value(
+        app, name, "SCENE", [&](std::string const& t) { scene = t; },
+        "glTF file, or 'default' for the generated terrain");
+}
+
+} // namespace
+
+CLI::App& add_command(CLI::App& program, FlyOptions& options) {
+    CLI::App& app = *program.add_subcommand("fly", "Flies: in a window where there is a display, else to pictures");
+    add_scene_option(app, "scene", options.scene);
+    add_value(
+        app, "--flight", "F.json", [&options](std::string const& t) { options.flight = t; },
+        "flight file; the default flight unless given");
+    app.add_flag("--headless", options.headless, "to pictures even where there is a display");
+    add_size(app, options.size, "1280x720 in a window, 960x540 without,");
+    add_frames(app, options.frames, "pictures of a headless flight; 24 unless given");
+    add_path(app, "--out", "DIR", options.out, "folder of a headless flight; out/flight unless given");
+    add_draw_options(app, options);
+    return app;
+}
+
+CLI::App& add_command(CLI::App& program, RenderOptions& options) {
+    CLI::App& app = *program.add_subcommand("render", "Renders each view to a picture named after its file");
+    add_views(app, options.views);
+    add_scene_option(app, "--scene", options.scene);
+    add_size(app, options.size);
+    add_path(app, "--out", "DIR", options.out, "folder; out/render unless given");
+    add_value(
+        app, "--format", "png|exr|png,exr",
+        [&options](std::string const& t) {
+            PictureFormats const formats = parse_formats("--format", t);
+            options.png = formats.png, options.exr = formats.exr;
+        },
+        "png as displayed, exr linear radiance in 32-bit float; png unless given");
+    add_draw_options(app, options);
+    return app;
+}
+
+CLI::App& add_command(CLI::App& program, BenchOptions& options) {
+    CLI::App& app = *program.add_subcommand("bench", "Measures each pass: medians over some frames");
+    add_views(app, options.views);
+    add_scene_option(app, "--scene", options.scene);
+    add_size(app, options.size);
+    add_frames(app, options.frames, "measured frames, after warm-up; 10 unless given");
+    app.add_flag("--json", options.json, "prints JSON");
+    add_draw_options(app, options);
+    return app;
+}
+
+} // namespace alpenglow
