@@ -39,7 +39,7 @@ struct Settings {
     int largest_texture = 4096; ///< [texels] larger pictures are scaled down at import
 
     // What a scene may ask for; beyond, it is refused
-    int largest_scene_file = 4096;    ///< [MiB]
+    int largest_scene_file = 4096; ///< [MiB]
     int most_json_values = 8'000'000;
     int deepest_json = 100;
     int deepest_node = 500;

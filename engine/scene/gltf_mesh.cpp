@@ -48,7 +48,7 @@ void check_form(Accessor const& accessor, AttributeForm const& form, bool quanti
     if (core || (quantized && (form.quantized & bit) != 0)) return;
     report.refuse("MESH_PRIMITIVE_ATTRIBUTES_ACCESSOR_INVALID_FORMAT", pointer,
                   std::string(form.name) + " has components of a type that it can't have",
-                (form.quantized & bit) != 0 ? "KHR_mesh_quantization would allow it" : "");
+                  (form.quantized & bit) != 0 ? "KHR_mesh_quantization would allow it" : "");
 }
 
 glm::vec3 unit_or_up(glm::vec3 const& v) {
@@ -177,8 +177,9 @@ void MeshBuilder::read_attribute(std::vector<Vertex>& vertices, std::string cons
     Accessor const& accessor = document_.accessors[static_cast<std::size_t>(index)];
     check_form(accessor, *form, document_.quantized, pointer, report_);
     if (accessor.count != vertices.size()) {
-        report_.refuse("MESH_PRIMITIVE_UNEQUAL_ACCESSOR_COUNT", pointer, "has " + std::to_string(accessor.count) + " elements, POSITION " +
-                                  std::to_string(vertices.size()));
+        report_.refuse("MESH_PRIMITIVE_UNEQUAL_ACCESSOR_COUNT", pointer,
+                       "has " + std::to_string(accessor.count) + " elements, POSITION " +
+                           std::to_string(vertices.size()));
     }
     if (name == "POSITION") {
         read_vectors<3>(document_, index, report_, [&](std::size_t i, float const* v) {

@@ -97,7 +97,8 @@ std::vector<Instance> place_nodes(Document const& document, Report const& report
     std::vector<bool> seen(document.nodes.size());
     for (auto root = document.roots.rbegin(); root != document.roots.rend(); ++root) {
         auto const node = static_cast<std::size_t>(*root);
-        if (parents[node] != no_index) report.refuse("SCENE_NON_ROOT_NODE", pointer_to(node), "is a root of the scene, but has a parent");
+        if (parents[node] != no_index)
+            report.refuse("SCENE_NON_ROOT_NODE", pointer_to(node), "is a root of the scene, but has a parent");
         if (seen[node]) report.refuse("NODE_PARENT_OVERRIDE", pointer_to(node), "stands twice in the scene");
         seen[node] = true;
         open.push_back({node, glm::dmat4(1)});
@@ -114,7 +115,8 @@ std::vector<Instance> place_nodes(Document const& document, Report const& report
         if (node.mesh != no_index && !hidden)
             instances.push_back({static_cast<std::uint32_t>(node.mesh), scene_from_node});
         if (int const most = report.limits().most_instances; instances.size() > static_cast<std::size_t>(most))
-            report.refuse_beyond("most_instances", most, "/nodes", "places " + std::to_string(instances.size()) + " meshes");
+            report.refuse_beyond("most_instances", most, "/nodes",
+                                 "places " + std::to_string(instances.size()) + " meshes");
         for (auto child = node.children.rbegin(); child != node.children.rend(); ++child) {
             open.push_back({static_cast<std::size_t>(*child), scene_from_node});
         }

@@ -13,7 +13,8 @@ std::vector<std::byte> read_uri(std::string const& uri, std::string const& point
     }
     FileUri const file = resolve_file_uri(uri, report.file().parent_path());
     if (!file.reason.empty())
-        report.refuse(file.malformed ? Code("INVALID_URI") : "URI_NOT_ALLOWED", pointer, "\"" + printable(uri) + "\" " + file.reason);
+        report.refuse(file.malformed ? Code("INVALID_URI") : "URI_NOT_ALLOWED", pointer,
+                      "\"" + printable(uri) + "\" " + file.reason);
     return read_limited(file.path, pointer, report);
 }
 

@@ -290,7 +290,8 @@ private:
     void check_number(Json const& value) const {
         require(value.is_number(), "TYPE_MISMATCH", "must be a number");
         double const number = value.get<double>();
-        if (std::abs(number) > std::numeric_limits<float>::max()) fail("VALUE_NOT_IN_RANGE", "is too large for a float");
+        if (std::abs(number) > std::numeric_limits<float>::max())
+            fail("VALUE_NOT_IN_RANGE", "is too large for a float");
         check_range(number);
     }
 
@@ -313,7 +314,7 @@ private:
         if (value.find('|') == std::string::npos && rule_.allowed.find("|" + value + "|") != std::string_view::npos)
             return;
         fail("VALUE_NOT_IN_LIST", fmt::format("\"{}\" is not one of {}", printable(value),
-                                            rule_.allowed.substr(1, rule_.allowed.size() - 2)));
+                                              rule_.allowed.substr(1, rule_.allowed.size() - 2)));
     }
 
     void check_index(Json& value) const {
@@ -321,7 +322,8 @@ private:
         Json::json_pointer const target(fmt::format("/{}", rule_.target));
         std::size_t const size = root_.contains(target) && root_[target].is_array() ? root_[target].size() : 0;
         if (std::size_t const index = value.get<std::size_t>(); index >= size) {
-            fail("UNRESOLVED_REFERENCE", fmt::format("is {}, but there are {} {}", index, size, rule_.target.substr(rule_.target.rfind('/') + 1)));
+            fail("UNRESOLVED_REFERENCE", fmt::format("is {}, but there are {} {}", index, size,
+                                                     rule_.target.substr(rule_.target.rfind('/') + 1)));
         }
     }
 
@@ -392,7 +394,8 @@ void check_extensions(Json const& json, Report& report) {
         if (!is_supported(name)) unknown += (unknown.empty() ? "" : ", ") + printable(name);
     }
     if (!unknown.empty())
-        report.warn("UNSUPPORTED_EXTENSION", "/extensionsUsed", "loaded without " + unknown + ", which is not supported");
+        report.warn("UNSUPPORTED_EXTENSION", "/extensionsUsed",
+                    "loaded without " + unknown + ", which is not supported");
 }
 
 } // namespace alpenglow::gltf

@@ -61,8 +61,7 @@ void check_glb_header(Bytes file, Report& report) {
     std::uint32_t const length = word_at(file, 8);
     std::string const says = "GLB header says " + std::to_string(length) + " bytes";
     if (length <= 12) report.refuse("GLB_LENGTH_TOO_SMALL", "", says + ", no more than its header");
-    if (length < file.size())
-        report.warn("GLB_EXTRA_DATA", "", says + ", the file has " + std::to_string(file.size()));
+    if (length < file.size()) report.warn("GLB_EXTRA_DATA", "", says + ", the file has " + std::to_string(file.size()));
 }
 
 /// The binary chunk, which stands second or not at all.
