@@ -1,5 +1,7 @@
 #pragma once
 
+#include "scene/gltf_diagnostic.h"
+#include "scene/gltf_limits.h"
 #include "scene/scene.h"
 
 #include <filesystem>
@@ -12,6 +14,8 @@ namespace alpenglow {
 struct GltfOptions {
     int largest_texture = 4096; ///< [texels] larger pictures are halved until they fit, with a warning
     std::optional<int> scene_index = {}; ///< which of the file's scenes; the file's default unless given
+    GltfLimits limits{};
+    std::vector<GltfDiagnostic>* warnings = nullptr; ///< where the first 1000 are put as well
 };
 
 /// What a file holds beyond what is drawn.
@@ -25,7 +29,7 @@ struct GltfSummary {
 };
 
 /// Reads a .gltf or .glb file (by content, not by name). Bytes are checked before and after the parser; warnings go to
-/// the log. Throws Error(bad_input) with the file, the JSON pointer and the reason. Fills `summary` where one is given.
+/// the log. Throws GltfError. Fills `summary` where one is given.
 Scene load_gltf(std::filesystem::path const& file, GltfOptions const& options = {}, GltfSummary* summary = nullptr);
 
 /// Bends a scene made for a flat map plane to a planet: a vertex at horizontal distance d from the origin goes to the

@@ -52,7 +52,9 @@ void read_vectors_as(Document const& document, Accessor const& accessor, std::st
         for (std::size_t c = 0; c < N; ++c) value[c] = c < rows ? float_from(raw[c], accessor.normalized) : 1.0f;
         if constexpr (std::is_floating_point_v<T>) {
             for (float const v : value) {
-                if (!std::isfinite(v)) report.fail(pointer, "element " + std::to_string(index) + " is not finite");
+                if (!std::isfinite(v))
+                    report.refuse("ACCESSOR_INVALID_FLOAT", pointer,
+                                  "element " + std::to_string(index) + " is not finite");
             }
         }
         store(index, value);

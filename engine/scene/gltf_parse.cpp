@@ -250,7 +250,8 @@ std::vector<Image> convert_images(nlohmann::json const& json, Report const& repo
     std::vector<Image> images;
     for (nlohmann::json const& source : json.value("images", nlohmann::json::array())) {
         if (source.contains("uri") == source.contains("bufferView")) {
-            report.fail("/images/" + std::to_string(images.size()), "must have either a uri or a bufferView");
+            report.refuse("ONE_OF_MISMATCH", "/images/" + std::to_string(images.size()),
+                          "must have either a uri or a bufferView");
         }
         images.push_back({source.value("name", ""), source.value("uri", ""), source.value("bufferView", no_index)});
     }
