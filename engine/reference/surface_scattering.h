@@ -1,6 +1,7 @@
 #pragma once
 
 #include "reference/ground_point.h"
+#include "scene/scene.h"
 
 #include <optional>
 
@@ -8,7 +9,7 @@ namespace alpenglow {
 
 /// The surface of a material; `roughness` is perceptual, `reflectance` a dielectric's at normal incidence.
 GroundSurface make_ground_surface(glm::dvec3 const& albedo, double metalness, double roughness, double gloss = 1,
-                                  double reflectance = 0.04f);
+                                  double reflectance = Material::usual_reflectance);
 
 /// Reflected radiance for a unit of irradiance across `to_light` [1/sr]: shaders/surface/brdf.glsl times the cosine
 /// with the shading normal. 0 where the light stands below the horizon of the shading or of the geometric normal: what

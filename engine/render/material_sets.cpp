@@ -2,6 +2,7 @@
 
 #include "gpu/transfer.h"
 #include "interop/gbuffer.h"
+#include "surface/brdf.glsl"
 
 #include <algorithm>
 #include <array>
@@ -10,6 +11,10 @@
 namespace alpenglow {
 
 namespace {
+
+// The scene's numbers are the shaders'.
+static_assert(Material::usual_reflectance == shader::USUAL_REFLECTANCE);
+static_assert(Material::largest_reflectance == LARGEST_REFLECTANCE);
 
 /// The textures of a material in the order of their slots.
 std::array<Texture const*, MATERIAL_TEXTURES> textures_of(Material const& material) {

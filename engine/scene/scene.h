@@ -80,9 +80,10 @@ struct Material {
     float alpha_cutoff = 0.5f;
     bool double_sided = false;
     float specular = 1;                 ///< weight of a dielectric's specular part, 0 to 1
-    float reflectance = 0.04f;          ///< of a dielectric at normal incidence, 0 to largest_reflectance
+    float reflectance = usual_reflectance; ///< of a dielectric at normal incidence, 0 to largest_reflectance
     bool unlit = false;                 ///< shows its base colour as a white surface that faces the sun shows white
 
+    static constexpr float usual_reflectance = 0.04f; ///< an index of refraction of 1.5
     static constexpr float largest_reflectance = 0.2f; ///< an index of refraction of 2.6: what the G-buffer holds
 };
 

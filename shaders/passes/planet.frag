@@ -4,6 +4,7 @@
 #include "atmosphere/geometry.glsl"
 #include "encoding/octahedral.glsl"
 #include "interop/gbuffer.h"
+#include "surface/brdf.glsl"
 #include "surface/planet_look.glsl"
 
 // The planet's body, where nothing nearer stands: a sphere hit by the pixel's ray, with its own depth.
@@ -45,7 +46,7 @@ void main() {
     vec2 normal = octahedral_from_unit(unit);
     out_albedo = vec4(look.albedo, 1.0);
     out_normal = vec4(normal, normal);
-    out_material = vec4(look.roughness, 0.0, gloss, 0.04 / LARGEST_REFLECTANCE);
+    out_material = vec4(look.roughness, 0.0, gloss, USUAL_REFLECTANCE / LARGEST_REFLECTANCE);
     out_emission = vec3(0.0);
     gl_FragDepth = frame.near_plane * stretch / distance;
 }

@@ -12,6 +12,7 @@ struct Surface {
 };
 
 CONSTANT float LEAST_ROUGHNESS = 0.045f; // perceptual; narrower lobes alias and overflow
+CONSTANT float USUAL_REFLECTANCE = 0.04f; // of a dielectric: an index of refraction of 1.5 (glTF 2.0, appendix B)
 
 // `reflectance` is the dielectric's at normal incidence.
 INLINE Surface make_surface(vec3 albedo, float metalness, float roughness, float gloss, float reflectance) {
@@ -20,7 +21,7 @@ INLINE Surface make_surface(vec3 albedo, float metalness, float roughness, float
 }
 
 INLINE Surface make_surface(vec3 albedo, float metalness, float roughness, float gloss) {
-    return make_surface(albedo, metalness, roughness, gloss, 0.04f);
+    return make_surface(albedo, metalness, roughness, gloss, USUAL_REFLECTANCE);
 }
 
 INLINE Surface make_surface(vec3 albedo, float metalness, float roughness) {
