@@ -11,8 +11,8 @@
 #include "scene/gltf_resources.h"
 #include "scene/gltf_schema.h"
 #include "scene/gltf_source.h"
-#include "scene/gltf_summary.h"
 #include "scene/gltf_structure.h"
+#include "scene/gltf_summary.h"
 
 #include <map>
 #include <set>
@@ -27,7 +27,7 @@ gltf::Document read_document(GltfOptions const& options, GltfSummary& summary, g
     gltf::check_schema(source.json, report);
     gltf::check_structure(source.json, report);
     gltf::check_extensions(source.json, report);
-    summary = gltf::summarize(source.json, report);
+    gltf::summarize(source.json, summary, report);
     summary.shown_scene = options.scene_index.value_or(source.json.value("scene", 0));
     gltf::Document document = gltf::parse_document(source.json, options.scene_index, report);
     document.buffers = gltf::read_buffers(source, report);
@@ -119,12 +119,11 @@ Scene load(GltfOptions const& options, GltfSummary& summary, gltf::Report& repor
 } // namespace
 
 Scene load_gltf(std::filesystem::path const& file, GltfOptions const& options, GltfSummary* summary) {
-    gltf::Report report(file, options.limits, options.warnings);
-    GltfSummary found;
-    Scene scene = load(options, found, report);
-    found.warnings.assign(report.warnings().begin(), report.warnings().end());
-    if (summary) *summary = std::move(found);
-    return scene;
+    GltfSummary unwanted;
+    GltfSummary& found = summary ? *summary : unwanted;
+    found = {};
+    gltf::Report report(file, options.limits, found.warnings);
+    return load(options, found, report);
 }
 
 } // namespace alpenglow

@@ -137,7 +137,7 @@ inline constexpr auto CODES = std::to_array<CodeInfo>({
     {"ROTATION_NON_UNIT", refused},
     {"SCENE_NON_ROOT_NODE", refused},
     {"SKIN_IBM_ACCESSOR_WITH_BYTESTRIDE", warned},
-    {"SKIN_IBM_INVALID_FORMAT", warned},
+    {"SKIN_IBM_INVALID_FORMAT", refused},
     {"SKIN_NO_COMMON_ROOT", warned},
     {"SKIN_SKELETON_INVALID", warned},
     // Animations, which are not played

@@ -58,7 +58,8 @@ public:
             visit_elements(document_, index, [&](std::size_t i, ElementValues const& v) {
                 if (!is_good(v) && bad++ == 0) first = i;
             });
-            if (bad > 0) report_.say(code, pointer, fmt::format("{} of element {} and {} more", what, first, bad - 1));
+            if (bad > 0) report_.say(code, pointer, fmt::format("{} of element {}{}", what, first,
+                                                     bad == 1 ? "" : fmt::format(" and {} more", bad - 1)));
         };
         if (kind == "NORMAL" || kind == "TANGENT")
             warn_of_first("ACCESSOR_VECTOR3_NON_UNIT", is_unit, "no unit length");

@@ -13,15 +13,14 @@ struct GltfDiagnostic {
     std::string message;
 };
 
+/// "POINTER: MESSAGE [CODE]"; without the code where it says nothing more.
+std::string line_of(GltfDiagnostic const& diagnostic);
+
 /// Why a glTF file is refused. Its line is "FILE: POINTER: MESSAGE [CODE] (ADVICE)".
 class GltfError : public Error {
 public:
     GltfError(GltfDiagnostic diagnostic, std::string const& file, std::string const& advice)
-        : Error(ErrorKind::bad_input,
-                (diagnostic.pointer.empty() ? "" : diagnostic.pointer + ": ") + diagnostic.message + " [" +
-                    diagnostic.code + "]",
-                file, advice),
-          diagnostic_(std::move(diagnostic)) {}
+        : Error(ErrorKind::bad_input, line_of(diagnostic), file, advice), diagnostic_(std::move(diagnostic)) {}
 
     GltfDiagnostic const& diagnostic() const { return diagnostic_; }
 

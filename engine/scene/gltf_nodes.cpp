@@ -147,8 +147,10 @@ std::vector<SceneCamera> find_cameras(Document const& document, std::vector<Plac
         Node const& node = document.nodes[index];
         if (node.camera == no_index) continue;
         CameraSource const& source = document.cameras[static_cast<std::size_t>(node.camera)];
-        if (!source.perspective) {
-            report.warn("orthographic cameras are left out");
+        bool const usable = source.vertical_fov >= 1e-5 && source.vertical_fov <= 3.1415; // [rad]
+        if (!source.perspective || !usable) {
+            report.warn(source.perspective ? "cameras that see a half space or more are left out"
+                                           : "orthographic cameras are left out");
             continue;
         }
         std::string const name = !source.name.empty() ? source.name

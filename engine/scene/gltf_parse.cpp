@@ -223,8 +223,7 @@ CameraSource read_camera(JsonObject const& json) {
     CameraSource camera{json.text("name", ""), 1, json.text("type", "perspective") == "perspective"};
     auto const perspective = json.find("perspective");
     if (camera.perspective && !perspective) json.fail("perspective", "is missing");
-    // At least a millionth of a turn, less than half of one.
-    if (perspective) camera.vertical_fov = perspective->number("yfov", 1, 1e-5, 3.1415);
+    if (perspective) camera.vertical_fov = perspective->number("yfov", 1, 0);
     return camera;
 }
 

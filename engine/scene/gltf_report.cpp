@@ -1,8 +1,35 @@
 #include "scene/gltf_report.h"
 
 #include "core/log.h"
+#include "scene/gltf.h"
 
 #include <algorithm>
+
+namespace alpenglow {
+
+namespace {
+
+constexpr char const* SIMPLIFIED = "SIMPLIFIED";
+
+} // namespace
+
+std::string line_of(GltfDiagnostic const& diagnostic) {
+    std::string const where = diagnostic.pointer.empty() ? "" : diagnostic.pointer + ": ";
+    std::string const code = diagnostic.code == SIMPLIFIED ? "" : " [" + diagnostic.code + "]";
+    return where + diagnostic.message + code;
+}
+
+std::vector<std::string> warning_lines(GltfSummary const& summary) {
+    std::vector<std::string> lines;
+    std::map<std::string, std::size_t> counts;
+    for (GltfDiagnostic const& warning : summary.warnings)
+        if (warning.code == SIMPLIFIED || ++counts[warning.code] == 1) lines.push_back(line_of(warning));
+    for (auto const& [code, count] : counts)
+        if (count > 1) lines.push_back(std::to_string(count - 1) + " more [" + code + "]");
+    return lines;
+}
+
+} // namespace alpenglow
 
 namespace alpenglow::gltf {
 
@@ -31,16 +58,11 @@ void Report::warn(Code code, std::string const& pointer, std::string const& reas
 }
 
 void Report::warn(GltfDiagnostic const& diagnostic) {
-    keep(diagnostic);
-    if (++counts_[diagnostic.code] > 1) return;
-    log_warning(printable(file_.string()) + ": " + (diagnostic.pointer.empty() ? "" : diagnostic.pointer + ": ") +
-                diagnostic.message + " [" + diagnostic.code + "]");
+    keep(diagnostic, ++counts_[diagnostic.code] == 1);
 }
 
 void Report::warn(std::string const& line) {
-    if (!warned_.insert(line).second) return;
-    keep({"", "SIMPLIFIED", line});
-    log_warning(printable(file_.string()) + ": " + line);
+    if (warned_.insert(line).second) keep({"", SIMPLIFIED, line}, true);
 }
 
 void Report::log_counts() const {
@@ -50,9 +72,10 @@ void Report::log_counts() const {
     }
 }
 
-void Report::keep(GltfDiagnostic diagnostic) {
+void Report::keep(GltfDiagnostic const& diagnostic, bool log) {
     constexpr std::size_t most = 1000;
-    if (warnings_ && warnings_->size() < most) warnings_->push_back(std::move(diagnostic));
+    if (warnings_.size() < most) warnings_.push_back(diagnostic);
+    if (log) log_warning(printable(file_.string()) + ": " + line_of(diagnostic));
 }
 
 std::string printable(std::string_view text) {

@@ -20,9 +20,8 @@ inline constexpr char const* EXPORT_AGAIN = "export the scene again, or choose a
 /// ("/accessors/3/count"), or empty where the fault is in the file as a whole.
 class Report {
 public:
-    /// `warnings`: where the first 1000 go as well as to the log, or nullptr.
-    explicit Report(std::filesystem::path file, GltfLimits const& limits = {},
-                    std::vector<GltfDiagnostic>* warnings = nullptr)
+    /// The first 1000 warnings go to `warnings` as well as to the log.
+    Report(std::filesystem::path file, GltfLimits const& limits, std::vector<GltfDiagnostic>& warnings)
         : file_(std::move(file)), limits_(limits), warnings_(warnings) {}
 
     std::filesystem::path const& file() const { return file_; }
@@ -43,19 +42,17 @@ public:
     void warn(GltfDiagnostic const& diagnostic);
     /// Each different line is logged once.
     void warn(std::string const& line);
-    /// What was warned of.
-    std::set<std::string> const& warnings() const { return warned_; }
     /// Logs how many more warnings of each code there were.
     void log_counts() const;
 
 private:
-    void keep(GltfDiagnostic diagnostic);
+    void keep(GltfDiagnostic const& diagnostic, bool log);
 
     std::filesystem::path file_;
     GltfLimits limits_;
     std::set<std::string> warned_;
     std::map<std::string, std::size_t> counts_;
-    std::vector<GltfDiagnostic>* warnings_;
+    std::vector<GltfDiagnostic>& warnings_;
 };
 
 /// Text from a file, fit for a line: control characters replaced, cut after 160 bytes.

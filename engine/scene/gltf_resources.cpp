@@ -3,6 +3,8 @@
 #include "scene/gltf_meshopt.h"
 #include "scene/gltf_uri.h"
 
+#include <algorithm>
+
 namespace alpenglow::gltf {
 
 namespace {
@@ -24,6 +26,11 @@ bool is_buffer_uri(std::string_view uri) {
     return !uri.starts_with("data:") || type == "application/octet-stream" || type == "application/gltf-buffer";
 }
 
+bool is_viewed(nlohmann::json const& json, std::size_t buffer) {
+    return std::ranges::any_of(json.value("bufferViews", nlohmann::json::array()),
+                               [&](nlohmann::json const& view) { return view["buffer"] == buffer; });
+}
+
 std::vector<std::byte> read_buffer(Source& source, std::size_t index, Report& report) {
     nlohmann::json const& json = source.json["buffers"][index];
     std::string const pointer = "/buffers/" + std::to_string(index);
@@ -31,8 +38,11 @@ std::vector<std::byte> read_buffer(Source& source, std::size_t index, Report& re
     auto const uri = json.find("uri");
     bool const in_chunk = uri == json.end();
     if (in_chunk && is_meshopt_fallback(json)) return {};
-    if (in_chunk && !(source.binary && index == 0))
-        report.fail(pointer, "has no uri, and is not the binary chunk of a .glb");
+    if (in_chunk && !(source.binary && index == 0)) {
+        if (is_viewed(source.json, index)) report.fail(pointer, "has no uri, and is not the binary chunk of a .glb");
+        report.warn(pointer + " has no uri, and nothing reads it");
+        return {};
+    }
     if (in_chunk && source.chunk.empty())
         report.refuse("BUFFER_MISSING_GLB_DATA", pointer, "needs a binary chunk, which this .glb lacks");
     if (!in_chunk && !is_buffer_uri(uri->get_ref<std::string const&>()))

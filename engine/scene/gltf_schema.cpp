@@ -404,13 +404,13 @@ void check_extensions(Json const& json, Report& report) {
             }
         }
     }
-    std::string unknown;
-    for (std::string const name : json.value("extensionsUsed", Json::array())) {
-        if (!is_supported(name)) unknown += (unknown.empty() ? "" : ", ") + printable(name);
-    }
+    std::set<std::string> unknown;
+    for (std::string const name : json.value("extensionsUsed", Json::array()))
+        if (!is_supported(name)) unknown.insert(printable(name));
     if (!unknown.empty())
         report.warn("UNSUPPORTED_EXTENSION", "/extensionsUsed",
-                    "loaded without " + unknown + ", which is not supported");
+                    fmt::format("loaded without {}, which {} not supported", fmt::join(unknown, ", "),
+                                unknown.size() == 1 ? "is" : "are"));
 }
 
 } // namespace alpenglow::gltf

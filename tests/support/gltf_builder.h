@@ -54,12 +54,12 @@ private:
 GltfBuilder one_triangle();
 
 /// Loads text as a .gltf of its own folder.
-Scene load_text(std::string const& text, GltfOptions const& options = {});
+Scene load_text(std::string const& text, GltfOptions const& options = {}, GltfSummary* summary = nullptr);
 /// The message of the error that loading gives, without the file's name, the code and the usual advice; "" where it
 /// loads.
 std::string error_of(std::string const& text);
 /// What loading says, "refused CODE" at the end of it, each once: "EMPTY_ENTITY, refused TYPE_MISMATCH".
-std::string codes_of(std::string const& text, GltfOptions options = {});
+std::string codes_of(std::string const& text, GltfOptions const& options = {});
 std::string without_usual_advice(std::string line);
 
 std::string base64(std::span<std::byte const> bytes);
@@ -125,10 +125,10 @@ inline GltfBuilder one_triangle() {
     return builder;
 }
 
-inline Scene load_text(std::string const& text, GltfOptions const& options) {
+inline Scene load_text(std::string const& text, GltfOptions const& options, GltfSummary* summary) {
     TemporaryFolder const folder;
     write_text_file(folder.path() / "scene.gltf", text);
-    return load_gltf(folder.path() / "scene.gltf", options);
+    return load_gltf(folder.path() / "scene.gltf", options, summary);
 }
 
 inline std::string without_usual_advice(std::string line) {
@@ -152,17 +152,16 @@ inline std::string error_of(std::string const& text) {
     return "";
 }
 
-inline std::string codes_of(std::string const& text, GltfOptions options) {
-    std::vector<GltfDiagnostic> found;
-    options.warnings = &found;
+inline std::string codes_of(std::string const& text, GltfOptions const& options) {
+    GltfSummary summary;
     std::string refusal;
     try {
-        load_text(text, options);
+        load_text(text, options, &summary);
     } catch (GltfError const& error) {
         refusal = "refused " + error.diagnostic().code;
     }
     std::set<std::string> codes;
-    for (GltfDiagnostic const& diagnostic : found) codes.insert(diagnostic.code);
+    for (GltfDiagnostic const& diagnostic : summary.warnings) codes.insert(diagnostic.code);
     std::string line;
     for (std::string const& code : codes) line += (line.empty() ? "" : ", ") + code;
     return refusal.empty() ? line : line + (line.empty() ? "" : ", ") + refusal;

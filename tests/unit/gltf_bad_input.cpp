@@ -220,3 +220,12 @@ TEST(GltfBadInput, a_small_file_cannot_ask_for_a_huge_scene) {
     for (int i = 0; i < 2000; ++i) builder.json["meshes"][0]["primitives"].push_back(primitive);
     EXPECT_NE(error_of(builder.gltf()).find("more than the limit of 16777216"), std::string::npos) << error_of(builder.gltf());
 }
+
+TEST(GltfBadInput, buffers_without_bytes_are_refused_only_where_something_reads_them) {
+    GltfBuilder builder = one_triangle();
+    nlohmann::json json = nlohmann::json::parse(builder.gltf());
+    json["buffers"].push_back({{"byteLength", 8}});
+    EXPECT_EQ(error_of(json.dump()), "");
+    json["bufferViews"].push_back({{"buffer", 1}, {"byteLength", 8}});
+    EXPECT_EQ(error_of(json.dump()), "/buffers/1: has no uri, and is not the binary chunk of a .glb");
+}

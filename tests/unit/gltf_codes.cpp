@@ -210,7 +210,7 @@ TEST(GltfCodes, of_nodes_cameras_and_skins) {
         {"refused CAMERA_XMAG_YMAG_ZERO", set("/cameras/0", {{"type", "orthographic"}, {"orthographic", {{"xmag", 0}, {"ymag", 1}, {"zfar", 2}, {"znear", 1}}}})},
         {"SKIN_NO_COMMON_ROOT", [](GltfBuilder& b) { b.json["nodes"].push_back(Json::object()), b.json["skins"][0]["joints"] = {1, 2}; b.json["skins"][0].erase("inverseBindMatrices"); }},
         {"SKIN_SKELETON_INVALID", [](GltfBuilder& b) { b.json["nodes"].push_back(Json::object()), b.json["skins"][0]["skeleton"] = 2; }},
-        {"SKIN_IBM_INVALID_FORMAT", set("/skins/0/inverseBindMatrices", 10)},
+        {"refused SKIN_IBM_INVALID_FORMAT", set("/skins/0/inverseBindMatrices", 10)},
         {"refused INVALID_IBM_ACCESSOR_COUNT", set("/skins/0/joints", Json::array({0, 1}))},
         {"ACCESSOR_INVALID_IBM", with_float(8, 15, 2)},
         {"NODE_SKIN_NO_SCENE", [](GltfBuilder& b) { b.json["nodes"].push_back(Json::object()), b.json["skins"][0]["joints"] = {2}; }},

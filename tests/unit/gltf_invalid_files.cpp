@@ -1,7 +1,7 @@
 #include "core/files.h"
 #include "scene/gltf.h"
 #include "scene/gltf_codes.h"
-#include "support/document_section.h"
+#include "support/documents.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -58,15 +58,15 @@ void read_report(fs::path file, Outcome& outcome) {
 Outcome try_file(fs::path const& file, fs::path const& folder) {
     Outcome outcome{.file = file.lexically_relative(folder).generic_string()};
     read_report(file, outcome);
-    std::vector<GltfDiagnostic> warnings;
+    GltfSummary summary;
     try {
-        load_gltf(file, {.warnings = &warnings});
+        load_gltf(file, {}, &summary);
     } catch (GltfError const& error) {
         outcome.refused = true;
         outcome.said.insert(error.diagnostic().code);
         outcome.reason = error.diagnostic().pointer + " " + error.diagnostic().message;
     }
-    for (GltfDiagnostic const& warning : warnings) outcome.said.insert(warning.code);
+    for (GltfDiagnostic const& warning : summary.warnings) outcome.said.insert(warning.code);
     return outcome;
 }
 
@@ -109,7 +109,7 @@ TEST_F(GltfInvalidFiles, are_diagnosed_as_the_stored_table_says) {
     }
     EXPECT_GE(errors, 243u);
     EXPECT_GE(agreeing * 10, errors * 9);
-    test::expect_document_section("gltf.md", "invalid files", table_of(outcomes));
+    test::expect_section("gltf.md", "invalid files", table_of(outcomes));
 }
 
 /// A false alarm would be a code of the validator's errors that its report of the file doesn't list.

@@ -97,3 +97,12 @@ TEST(GltfNodes, what_is_no_placement_is_refused) {
     builder.json["nodes"] = {{{"children", {1}}, {"scale", {1e30, 1e30, 1e30}}}, {{"mesh", 0}, {"scale", {1e30, 1, 1}}}};
     EXPECT_EQ(error_of(builder.gltf()), "/nodes/1: is placed out of a float's range");
 }
+
+TEST(GltfNodes, cameras_that_see_half_of_everything_are_left_out) {
+    GltfBuilder builder = one_triangle();
+    builder.json["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 4}, {"znear", 0.1}}}}};
+    builder.json["nodes"][0]["camera"] = 0;
+    EXPECT_TRUE(builder.load().cameras.empty());
+    builder.json["cameras"][0]["perspective"]["yfov"] = 3;
+    EXPECT_EQ(builder.load().cameras.size(), 1u);
+}
