@@ -56,7 +56,9 @@ ByteImage label(Extent size, std::string_view text) {
 ByteImage picture_of(Stage& stage, StudioOptions const& options, std::filesystem::path const& file) {
     Settings settings = studio_settings();
     apply_overrides(settings, options.overrides);
-    Scene const scene = load_gltf(file, {settings.largest_texture, options.scene_index});
+    Scene const scene = load_gltf(file, {.largest_texture = settings.largest_texture,
+                                         .scene_index = options.scene_index,
+                                         .limits = gltf_limits(settings)});
     if (scene.bounds.empty()) return label(options.size, "the scene holds no triangle");
     StudioShot const shot =
         make_studio_shot(scene.bounds, static_cast<double>(options.size.width) / options.size.height);
