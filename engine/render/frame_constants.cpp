@@ -3,6 +3,7 @@
 #include "interop/display.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace alpenglow {
@@ -79,7 +80,11 @@ glm::dvec2 supersample_offset(int index, int count) {
     return glm::dvec2(a + (b + 0.5) / side, b + (side - 1 - a + 0.5) / side) / static_cast<double>(side) - 0.5;
 }
 
-int curve_index(std::string_view name) { return name == "exponential" ? CURVE_EXPONENTIAL : CURVE_FILMIC; }
+int curve_index(std::string_view name) {
+    constexpr std::array<std::string_view, CURVE_COUNT> NAMES{"filmic", "exponential", "reinhard", "aces",
+                                                             "lottes", "uchimura",    "agx"};
+    return static_cast<int>(std::ranges::find(NAMES, name) - NAMES.begin());
+}
 
 shader::Atmosphere atmosphere_of(Planet const& planet) {
     Air const& air = planet.air;
