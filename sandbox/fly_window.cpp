@@ -5,6 +5,7 @@
 #include "gpu/swapchain.h"
 #include "render/passes/overlay.h"
 #include "render/passes/present.h"
+#include "render/passes/show.h"
 #include "sandbox/panel.h"
 #include "sandbox/render_scale.h"
 #include "sandbox/saved_views.h"
@@ -174,12 +175,7 @@ void WindowFlight::draw(Extent size) {
 
 void WindowFlight::finish(FrameGraph& graph, ImageId picture, GpuImage& target) {
     // A frame that only shows its picture again has no other images.
-    if (graph.images().size() > 1) {
-        screen_.images = {"cascades"};
-        for (FrameGraph::Image const& image : graph.images()) {
-            if (image.scale != ShowScale::encoded) screen_.images.push_back(image.name);
-        }
-    }
+    if (graph.images().size() > 1) screen_.images = shown_names(graph);
     ImageId const window = graph.import(target, "window", ShowScale::encoded, false);
     add_present(graph, picture, window, swapchain_.encodes_srgb());
     overlay_.add(graph, window, std::move(mesh_), swapchain_.encodes_srgb());

@@ -29,7 +29,11 @@ struct Settings {
 
     // The picture
     double exposure = 0.0;        ///< [stops]; displayed = curve(2^exposure * radiance)
-    std::string curve = "filmic"; ///< exponential | filmic | linear
+    bool auto_exposure = false;   ///< follows the picture's luminance in place of `exposure`
+    double exposure_compensation = 0.0; ///< [stops] more than auto_exposure finds
+    double exposure_least = -14.0, exposure_most = 16.0;          ///< [stops] bounds of auto_exposure
+    double light_adaptation = 3.0, dark_adaptation = 1.5;         ///< [stops/s] at most
+    std::string curve = "filmic"; ///< from linear light to the display: encoding/tone_curves.glsl
     bool dither = true;           ///< after the curve, before 8 bits
     int aa = 1;                   ///< supersampling: 1, 4 or 16
     std::string post_aa = "none"; ///< none | fxaa

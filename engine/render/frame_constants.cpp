@@ -3,6 +3,7 @@
 #include "interop/display.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace alpenglow {
@@ -81,8 +82,9 @@ glm::dvec2 supersample_offset(int index, int count) {
 }
 
 int curve_index(std::string_view name) {
-    if (name == "linear") return CURVE_LINEAR;
-    return name == "exponential" ? CURVE_EXPONENTIAL : CURVE_FILMIC;
+    constexpr std::array<std::string_view, CURVE_COUNT> NAMES{"filmic", "exponential", "reinhard", "aces",
+                                                             "lottes", "uchimura",    "agx",         "linear"};
+    return static_cast<int>(std::ranges::find(NAMES, name) - NAMES.begin());
 }
 
 shader::Atmosphere atmosphere_of(Planet const& planet) {

@@ -2,8 +2,10 @@
 
 #include "gpu/transfer.h"
 #include "render/frame_constants.h"
+#include "render/passes/exposure.h"
 
 #include <cstring>
+#include <utility>
 
 namespace alpenglow {
 
@@ -31,7 +33,11 @@ Renderer::Renderer(Device const& device, std::uint32_t frames_in_flight)
       transmittance_(device, table_shape(TRANSMITTANCE_WIDTH, TRANSMITTANCE_HEIGHT), KEPT, "transmittance"),
       multiple_scattering_(device, table_shape(MULTIPLE_SCATTERING_WIDTH, MULTIPLE_SCATTERING_HEIGHT), KEPT,
                            "multiple_scattering"),
-      sky_irradiance_(device, table_shape(SKY_IRRADIANCE_WIDTH, SKY_IRRADIANCE_HEIGHT), KEPT, "sky_irradiance") {}
+      sky_irradiance_(device, table_shape(SKY_IRRADIANCE_WIDTH, SKY_IRRADIANCE_HEIGHT), KEPT, "sky_irradiance"),
+      exposure_(device, table_shape(1, 1), KEPT | VK_IMAGE_USAGE_TRANSFER_DST_BIT, "exposure"),
+      seconds_(ADAPTED_AT_ONCE) {
+    upload(device, exposure_, bytes_of(shader::ExposureState{1, 0, 0, 0}));
+}
 
 Renderer::~Renderer() { vkDeviceWaitIdle(device_.handle()); }
 
@@ -73,6 +79,7 @@ void Renderer::draw(World const& world, Settings const& settings, Extent extent,
                              shadow,          constants,
                              transmittance_,  multiple_scattering_,
                              sky_irradiance_, air_changed(world.planet),
+                             exposure_,       std::exchange(seconds_, ADAPTED_AT_ONCE),
                              *mean_,          *picture_};
     FrameGraph graph;
     build_frame(graph, inputs);
@@ -100,6 +107,13 @@ FloatImage Renderer::radiance() {
     std::vector<std::byte> const bytes = read_back(device_, *mean_);
     std::memcpy(image.rgba.data(), bytes.data(), bytes.size());
     return image;
+}
+
+shader::ExposureState Renderer::exposure() {
+    executor_.wait();
+    shader::ExposureState state{};
+    std::memcpy(&state, read_back(device_, exposure_).data(), sizeof state);
+    return state;
 }
 
 GpuImage* Renderer::kept_image(std::string const& name) {
