@@ -59,6 +59,7 @@ int flags_of(World const& world, Settings const& settings, bool cascades) {
     set(settings.multiple_scattering, FRAME_MULTIPLE_SCATTERING);
     set(settings.march_dither, FRAME_MARCH_DITHER);
     set(settings.sun_disc, FRAME_SUN_DISC);
+    set(settings.stars, FRAME_STARS);
     set(world.planet.look == GroundLook::procedural, FRAME_PROCEDURAL_GROUND);
     return flags;
 }
