@@ -95,7 +95,8 @@ void main() {
     AirLight air = no_air_light();
     if (has_flag(FRAME_AIR)) air = march_air(pixel, from_camera, light_direction, ray.distance);
     vec3 in_front = air.inscattered * frame.atmosphere.solar_irradiance;
-    vec3 behind = ground ? surface_radiance(pixel, ray, air_point_at(from_camera, ray.distance), light_direction * ray.distance)
+    AirPoint place = place_at(frame.atmosphere, from_camera, ray.distance);
+    vec3 behind = ground ? surface_radiance(pixel, ray, place, light_direction * ray.distance)
                          : celestial_radiance(pixel, in_front, push.celestial_turn);
     vec3 radiance = behind * air.transmittance + in_front;
     if (push.show == LIGHTING_SHOW_CASCADES && ground) {
