@@ -28,6 +28,7 @@ constexpr std::array TABLE{
     SettingInfo{.name = "march_dither", .member = &Settings::march_dither,
                 .help = "offset the march's samples from pixel to pixel, the same way in every picture"},
     SettingInfo{.name = "sun_disc", .member = &Settings::sun_disc, .help = "the sun's disc in the sky"},
+    SettingInfo{.name = "stars", .member = &Settings::stars, .help = "the stars behind the air"},
     SettingInfo{.name = "shadows", .member = &Settings::shadows, .help = "the sun's shadows on surfaces"},
     SettingInfo{.name = "cascades", .member = &Settings::cascades, .smallest = 1, .largest = 4,
                 .help = "shadow maps, one beyond the other"},

@@ -20,6 +20,7 @@ struct Settings {
     bool multiple_scattering = true; ///< light scattered more than once
     bool march_dither = false;       ///< deterministic offset of the march's samples from pixel to pixel
     bool sun_disc = true;
+    bool stars = true;
 
     // Shadows
     bool shadows = true;
@@ -31,7 +32,7 @@ struct Settings {
     double exposure = 0.0;        ///< [stops]; displayed = curve(2^exposure * radiance)
     bool auto_exposure = false;   ///< follows the picture's luminance in place of `exposure`
     double exposure_compensation = 0.0; ///< [stops] more than auto_exposure finds
-    double exposure_least = -14.0, exposure_most = 16.0;          ///< [stops] bounds of auto_exposure
+    double exposure_least = -14.0, exposure_most = 20.0;          ///< [stops] bounds of auto_exposure
     double light_adaptation = 3.0, dark_adaptation = 1.5;         ///< [stops/s] at most
     std::string curve = "filmic"; ///< from linear light to the display: encoding/tone_curves.glsl
     bool dither = true;           ///< after the curve, before 8 bits

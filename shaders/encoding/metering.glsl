@@ -8,10 +8,10 @@ SHADER_NAMESPACE_BEGIN
 CONSTANT float METERED_FROM = 0.40f;     // shares of the pixels that are not black between which luminance is averaged:
 CONSTANT float METERED_TO = 0.95f;       //   what is darker is shade or night, what is brighter the sun's surroundings
 CONSTANT float HIGHLIGHT_SHARE = 0.99f;  // what is brighter than that may burn out
-CONSTANT float HIGHLIGHT_HEADROOM = 4.0f; // [stops] that highlights may be above the mean
+CONSTANT float HIGHLIGHT_HEADROOM = 3.5f; // [stops] that highlights may be above the mean
 CONSTANT float SHOWN_MEAN = -2.4f;       // [stops] below 1 of the mean, behind exposure: 0.19
 CONSTANT float DIM_BELOW = -7.0f;        // [stops] below which pictures grow darker: dusk is to look like dusk
-CONSTANT float DIM_SLOPE = 0.3f;         // stops for each stop
+CONSTANT float DIM_SLOPE = 0.15f;        // stops for each stop
 
 // The bin of a luminance; 0 where it is black.
 INLINE int histogram_bin(float luminance) {

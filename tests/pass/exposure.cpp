@@ -52,7 +52,7 @@ double metered_by_sorting(std::vector<double> stops) {
     auto const at = [&](double share) { return static_cast<std::ptrdiff_t>(share * static_cast<double>(stops.size())); };
     auto const from = stops.begin() + at(0.40), to = stops.begin() + at(0.95);
     double const mean = std::accumulate(from, to, 0.0) / static_cast<double>(to - from);
-    return std::max(mean, stops[static_cast<std::size_t>(at(0.99))] - 4);
+    return std::max(mean, stops[static_cast<std::size_t>(at(0.99))] - 3.5);
 }
 
 /// A spread-out picture: a repeatable shuffle of an even ramp.
@@ -106,8 +106,8 @@ TEST_F(ExposurePass, dusk_is_shown_darker_than_day_and_black_as_far_as_the_bound
         return state.stops + luminance;
     };
     EXPECT_NEAR(shown(-5), shown(-2), 0.16);
-    EXPECT_LT(shown(-12), shown(-5) - 1);
-    EXPECT_LT(shown(-17), shown(-12) - 1);
+    EXPECT_LT(shown(-12), shown(-5) - 0.5);
+    EXPECT_LT(shown(-17), shown(-12) - 0.5);
     EXPECT_EQ(expose([](std::uint32_t) { return -100.0; }).stops, static_cast<float>(settings_.exposure_most));
 }
 
@@ -117,7 +117,7 @@ TEST_F(ExposurePass, follows_in_time_faster_into_light_than_into_the_dark) {
     double const start = expose(bright).stops, end = expose(dim, 0).target;
     ASSERT_NEAR(end - start, 6, 0.3);
     EXPECT_NEAR(expose(dim, 0).stops, start, 1e-6); // no time, no way
-    EXPECT_NEAR(expose(dim, 1).stops, start + settings_.dark_adaptation * (6 * (1 - std::exp(-1.5)) > 1.5), 1e-3);
+    EXPECT_NEAR(expose(dim, 1).stops, start + settings_.dark_adaptation, 1e-3); // far from the end: full speed
     double before = start;
     for (int i = 0; i < 12; ++i) {
         double const now = expose(dim, 1).stops;

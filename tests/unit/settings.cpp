@@ -68,7 +68,7 @@ TEST(Settings, bad_ones_are_wrong_use_and_change_nothing) {
         {"samples", "", {"4 to 1024"}},
         {"samples", "99999999999999", {"4 to 1024"}},
         {"aa", "2", {"1|4|16"}},
-        {"curve", "film", {"filmic|exponential|linear"}},
+        {"curve", "film", {"filmic|exponential"}},
         {"shafts", "maybe", {"on or off"}},
         {"exposure", "nan", {"-32 to 32 stops"}},
         {"exposure", "inf", {"-32 to 32 stops"}},
