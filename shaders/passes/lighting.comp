@@ -99,6 +99,7 @@ void main() {
     AirPoint place = place_at(frame.atmosphere, from_camera, ray.distance);
     vec3 behind = ground ? surface_radiance(pixel, ray, place, light_direction * ray.distance)
                          : celestial_radiance(pixel, in_front, push.celestial_turn);
+    if (has_flag(FRAME_STUDIO) && !ground) behind = frame.backdrop;
     vec3 radiance = behind * air.transmittance + in_front;
     if (push.show == LIGHTING_SHOW_CASCADES && ground) {
         float grey = dot(radiance, vec3(0.3, 0.6, 0.1));

@@ -3,7 +3,6 @@
 #include "core/error.h"
 #include "interop/display.h"
 #include "render/frame_constants.h"
-#include "render/passes/lighting.h"
 
 #include <embedded_shaders.h>
 #include <algorithm>
