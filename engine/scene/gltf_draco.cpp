@@ -12,6 +12,9 @@ namespace alpenglow::gltf {
 
 namespace {
 
+/// Vertices, or triangles, for each byte. Flat grids come near 100; what claims more is made to take memory.
+constexpr std::uint64_t most_growth = 1000;
+
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 std::span<char const> bytes_of(Document const& document, int index) {
@@ -97,7 +100,7 @@ private:
         return std::move(result).value();
     }
 
-    /// The decoder allocates by what the stream says: that must be what the accessors say.
+    /// The decoder allocates by what the stream says: that must be what the accessors say, and within the limits.
     void check_counts(std::span<char const> bytes, Primitive const& primitive, std::string const& pointer) {
         std::optional<DracoCounts> const counts = read_draco_counts(bytes);
         if (!counts) report_.fail(pointer + "/bufferView", "is not a Draco 2.2 mesh");
@@ -112,6 +115,22 @@ private:
                          fmt::format("holds {} vertices and {} triangles, the primitive's accessors say {} and {}",
                                      counts->vertices, counts->faces, points, corners / 3));
         }
+        if (points / most_growth > bytes.size() || counts->faces / most_growth > bytes.size())
+            report_.fail(pointer, fmt::format("says {} vertices and {} triangles, more than {} bytes can hold", points,
+                                              counts->faces, bytes.size()));
+        check_total(points, counts->faces * 3, pointer);
+    }
+
+    void check_total(std::uint64_t vertices, std::uint64_t indices, std::string const& pointer) {
+        vertices_ += vertices;
+        indices_ += indices;
+        GltfLimits const& limits = report_.limits();
+        if (vertices_ > static_cast<std::uint64_t>(limits.most_vertices))
+            report_.refuse_beyond("most_vertices", limits.most_vertices, pointer,
+                                  fmt::format("unpacks {} vertices in all", vertices_));
+        if (indices_ > static_cast<std::uint64_t>(limits.most_indices))
+            report_.refuse_beyond("most_indices", limits.most_indices, pointer,
+                                  fmt::format("unpacks {} indices in all", indices_));
     }
 
     void take_attribute(draco::Mesh const& mesh, int id, int& index, std::string const& pointer) {
@@ -145,6 +164,7 @@ private:
     Document& document_;
     Report const& report_;
     std::vector<bool> taken_;
+    std::uint64_t vertices_ = 0, indices_ = 0; ///< of all meshes so far
 };
 
 } // namespace

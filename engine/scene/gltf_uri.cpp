@@ -100,7 +100,9 @@ std::string_view data_uri_type(std::string_view uri) {
 FileUri resolve_file_uri(std::string_view uri, fs::path const& folder) {
     if (uri.starts_with(':')) return {{}, "has an empty scheme", true};
     if (has_scheme(uri)) return {{}, "has a scheme; only data: and files beside the scene are read"};
-    std::string const name = percent_decoded(uri);
+    constexpr std::size_t longest = 4096; // [bytes] Linux's PATH_MAX; the standard library takes long over longer ones
+    std::string const name = percent_decoded(uri.substr(0, 3 * longest));
+    if (name.size() > longest) return {{}, "is longer than 4096 bytes"};
     if (name.empty()) return {{}, "is empty"};
     if (has_scheme(name)) return {{}, "has a scheme; only data: and files beside the scene are read"};
     if (name.find('\0') != std::string::npos) return {{}, "holds a NUL"};
