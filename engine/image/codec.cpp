@@ -73,8 +73,10 @@ int length_of(std::span<std::byte const> bytes) {
 }
 
 [[noreturn]] void fail() {
-    char const* const reason = stbi_failure_reason();
-    throw Error(ErrorKind::bad_input, std::string("picture can't be decoded: ") + (reason ? reason : "unknown format"));
+    char const* const given = stbi_failure_reason();
+    std::string const reason = given ? given : "unknown format";
+    throw Error(ErrorKind::bad_input, "picture can't be decoded: " +
+                                          (reason == "outofmem" ? "it unpacks to more than its header says" : reason));
 }
 
 /// Bounds what stb takes while it decodes `bytes`.
@@ -103,8 +105,8 @@ void check_scans(std::span<std::byte const> bytes) {
     int scans = 0;
     for (std::size_t i = 0; i + 1 < bytes.size(); ++i) scans += bytes[i] == marker && bytes[i + 1] == scan;
     if (scans > most)
-        throw Error(ErrorKind::bad_input, "JPEG of " + std::to_string(scans) + " scans; " + std::to_string(most) +
-                                              " are read");
+        throw Error(ErrorKind::bad_input, "picture can't be decoded: JPEG of " + std::to_string(scans) + " scans, " +
+                                              std::to_string(most) + " are read");
 }
 
 void append(void* context, void* data, int size) {

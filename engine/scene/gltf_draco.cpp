@@ -3,7 +3,8 @@
 #include "scene/gltf_accessor.h"
 #include "scene/gltf_draco_header.h"
 
-#include <draco/compression/decode.h>
+#include <draco/compression/mesh/mesh_edgebreaker_decoder.h>
+#include <draco/compression/mesh/mesh_sequential_decoder.h>
 
 #include <fmt/format.h>
 #include <memory>
@@ -64,6 +65,24 @@ std::vector<std::byte> triangle_bytes(draco::Mesh const& mesh) {
     return bytes;
 }
 
+/// A decoder of Draco's that makes no more attributes than glTF has a use for: a few bytes suffice to announce one, and
+/// each takes memory for every vertex.
+template <class Decoder> class BoundedDecoder : public Decoder {
+public:
+    draco::Status decode(draco::DecoderBuffer& buffer, draco::Mesh& mesh) {
+        return this->Decode(draco::DecoderOptions(), &buffer, &mesh);
+    }
+
+private:
+    bool DecodeAllAttributes() override {
+        constexpr int most_components = 64;
+        int components = 0;
+        for (int i = 0; i < this->mesh()->num_attributes(); ++i)
+            components += this->mesh()->attribute(i)->num_components();
+        return components <= most_components && Decoder::DecodeAllAttributes();
+    }
+};
+
 /// The decoded primitives of one document. Two primitives that name one accessor for different bytes get one each.
 class Decompressor {
 public:
@@ -91,17 +110,20 @@ public:
 private:
     std::unique_ptr<draco::Mesh> decode(Primitive const& primitive, std::string const& pointer) {
         std::span<char const> const bytes = bytes_of(document_, primitive.draco->view);
-        check_counts(bytes, primitive, pointer);
+        bool const edgebreaker = check_counts(bytes, primitive, pointer).edgebreaker;
         draco::DecoderBuffer buffer;
         buffer.Init(bytes.data(), bytes.size());
-        auto result = draco::Decoder().DecodeMeshFromBuffer(&buffer);
-        if (!result.ok())
-            report_.fail(pointer, "its bytes can't be decompressed: " + printable(result.status().error_msg_string()));
-        return std::move(result).value();
+        auto mesh = std::make_unique<draco::Mesh>();
+        draco::Status const status = edgebreaker
+                                         ? BoundedDecoder<draco::MeshEdgebreakerDecoder>().decode(buffer, *mesh)
+                                         : BoundedDecoder<draco::MeshSequentialDecoder>().decode(buffer, *mesh);
+        if (!status.ok())
+            report_.fail(pointer, "its bytes can't be decompressed: " + printable(status.error_msg_string()));
+        return mesh;
     }
 
     /// The decoder allocates by what the stream says: that must be what the accessors say, and within the limits.
-    void check_counts(std::span<char const> bytes, Primitive const& primitive, std::string const& pointer) {
+    DracoCounts check_counts(std::span<char const> bytes, Primitive const& primitive, std::string const& pointer) {
         std::optional<DracoCounts> const counts = read_draco_counts(bytes);
         if (!counts) report_.fail(pointer + "/bufferView", "is not a Draco 2.2 mesh");
         auto const position = primitive.attributes.find("POSITION");
@@ -118,7 +140,8 @@ private:
         if (points / most_growth > bytes.size() || counts->faces / most_growth > bytes.size())
             report_.fail(pointer, fmt::format("says {} vertices and {} triangles, more than {} bytes can hold", points,
                                               counts->faces, bytes.size()));
-        check_total(points, counts->faces * 3, pointer);
+        check_total(points, counts->faces * 3 * (1 + counts->seams), pointer);
+        return *counts;
     }
 
     void check_total(std::uint64_t vertices, std::uint64_t indices, std::string const& pointer) {

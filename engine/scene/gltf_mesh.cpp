@@ -66,7 +66,7 @@ glm::vec4 unit_tangent(float const* v) {
 using AttributeSet = std::map<std::string, int>;
 
 struct Claim {
-    std::size_t vertices = 3, indices = 3; ///< at least: what is left out takes time too
+    std::size_t vertices = 0, indices = 0;
 };
 
 /// What a primitive takes at most. Vertices count once more for each morph target that moves them. `known`: the
@@ -80,14 +80,13 @@ Claim claim_of(Document const& document, Primitive const& primitive, std::vector
                                     ? count
                                     : document.accessors[static_cast<std::size_t>(primitive.indices)].count;
     bool const list = static_cast<TriangleMode>(primitive.mode) == TriangleMode::list;
-    Claim claim;
-    claim.indices += list ? corners : 3 * corners;
+    Claim claim{0, list ? corners : 3 * corners};
     auto const used = std::span(weights).first(std::min(weights.size(), primitive.targets.size()));
     auto const moves = static_cast<std::size_t>(std::ranges::count_if(used, [](double weight) { return weight != 0; }));
     if (!primitive.attributes.contains("NORMAL") || !primitive.targets.empty())
-        claim.vertices += std::max(count, claim.indices) + moves * count;
+        claim.vertices = std::max(count, claim.indices) + moves * count;
     else if (known.insert(primitive.attributes).second)
-        claim.vertices += count;
+        claim.vertices = count;
     return claim;
 }
 
@@ -108,8 +107,9 @@ void MeshBuilder::claim(std::size_t index, std::vector<double> const& weights, s
     total_vertices_ += joints;
     for (Primitive const& primitive : document_.meshes[index].primitives) {
         Claim const claim = claim_of(document_, primitive, weights, known);
-        total_indices_ += claim.indices;
-        total_vertices_ += claim.vertices;
+        constexpr std::size_t fewest = 3; // what is shared or left out takes time as well
+        total_indices_ += std::max(claim.indices, fewest);
+        total_vertices_ += std::max(claim.vertices, fewest);
         if (total_indices_ > static_cast<std::size_t>(limits.most_indices))
             report_.refuse_beyond("most_indices", limits.most_indices, pointer,
                                   fmt::format("makes {} indices in all", total_indices_));

@@ -66,15 +66,15 @@ bool has_scheme(std::string_view uri) {
                        [](unsigned char c) { return std::isalnum(c) || c == '+' || c == '-' || c == '.'; });
 }
 
-bool is_inside(fs::path const& path, fs::path const& folder) {
+/// What is wrong with where a path leads; "" where it stays inside `folder`.
+std::string straying(fs::path const& path, fs::path const& folder) {
     std::error_code error;
     fs::path const real_folder = fs::weakly_canonical(folder.empty() ? fs::path(".") : folder, error);
-    if (error) return false;
-    fs::path const real_path = fs::weakly_canonical(path, error);
-    if (error) return false;
+    fs::path const real_path = error ? fs::path() : fs::weakly_canonical(path, error);
+    if (error) return "can't be looked up: " + error.message();
     auto const [end, ignored] =
         std::mismatch(real_folder.begin(), real_folder.end(), real_path.begin(), real_path.end());
-    return end == real_folder.end();
+    return end == real_folder.end() ? "" : "leaves the scene's folder through a link";
 }
 
 } // namespace
@@ -113,7 +113,7 @@ FileUri resolve_file_uri(std::string_view uri, fs::path const& folder) {
         return {{}, "goes up with \"..\"; only files beside the scene are read"};
     }
     fs::path const path = folder / relative;
-    if (!is_inside(path, folder)) return {{}, "leaves the scene's folder through a link"};
+    if (std::string reason = straying(path, folder); !reason.empty()) return {{}, std::move(reason)};
     return {path, {}};
 }
 
