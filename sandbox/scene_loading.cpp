@@ -26,7 +26,7 @@ std::optional<Scene> load_scene(View const& view, double planet_radius) {
                                             .scene_index = view.scene_index,
                                             .limits = gltf_limits(view.settings)});
     Placement const placement = scene_placement(view);
-    if (placement.curve) curve_to_planet(scene, planet_radius, placement.scale);
+    if (placement.curve) curve_to_planet(scene, planet_radius, placement.scale, view.settings.most_vertices);
     return scene;
 }
 

@@ -46,13 +46,17 @@ struct Settings {
     // What a scene may ask for; beyond, it is refused
     int largest_scene_file = 4096; ///< [MiB]
     int most_json_values = 8'000'000;
+    int most_entries = 1'000'000;
+    int most_materials = 65536;
     int deepest_json = 100;
     int deepest_node = 500;
     int most_instances = 1'000'000;
     int most_vertices = 16 << 20;
     int most_indices = 192 << 20;
     int largest_picture = 16384; ///< [texels]
-    int most_pixels = 128;       ///< [Mi texels]
+    int most_triangles = 64 << 20;
+    int most_pixels = 128;         ///< [Mi texels]
+    int most_pixels_in_all = 1024; ///< [Mi texels]
 
     bool operator==(Settings const&) const = default;
 };

@@ -3,6 +3,7 @@
 #include "scene/gltf_accessor.h"
 #include "scene/gltf_contents.h"
 #include "scene/gltf_draco.h"
+#include "scene/gltf_entries.h"
 #include "scene/gltf_mesh.h"
 #include "scene/gltf_meshopt.h"
 #include "scene/gltf_nodes.h"
@@ -13,6 +14,8 @@
 #include "scene/gltf_source.h"
 #include "scene/gltf_structure.h"
 #include "scene/gltf_summary.h"
+
+#include <fmt/format.h>
 
 #include <functional>
 #include <map>
@@ -26,6 +29,7 @@ namespace {
 gltf::Document read_document(GltfOptions const& options, GltfSummary& summary, gltf::Report& report) {
     gltf::Source source = gltf::read_source(report);
     gltf::check_version(source.json, report);
+    gltf::check_entries(source.json, report);
     gltf::check_schema(source.json, report);
     gltf::check_structure(source.json, report);
     gltf::check_extensions(source.json, report);
@@ -41,6 +45,19 @@ gltf::Document read_document(GltfOptions const& options, GltfSummary& summary, g
     return document;
 }
 
+std::vector<double> const& weights_of(gltf::Document const& document, gltf::Node const& node) {
+    return node.weights.empty() ? document.meshes[static_cast<std::size_t>(node.mesh)].weights : node.weights;
+}
+
+/// Matrices that have to be read and made to show the node.
+std::size_t joints_of(gltf::Document const& document, gltf::Node const& node) {
+    if (node.skin == gltf::no_index) return 0;
+    gltf::Skin const& skin = document.skins[static_cast<std::size_t>(node.skin)];
+    int const stored = skin.inverse_bind_matrices;
+    return stored == gltf::no_index ? skin.joints.size()
+                                    : document.accessors[static_cast<std::size_t>(stored)].count;
+}
+
 /// The poses in which nodes show their meshes. A mesh in a pose of its own belongs to one node.
 class Poses {
 public:
@@ -50,8 +67,7 @@ public:
 
     /// Moves `scene_from_mesh` where a skin decides: to its first joint.
     gltf::Pose of(gltf::Node const& node, glm::dmat4& scene_from_mesh) const {
-        gltf::Pose pose{node.weights.empty() ? document_.meshes[static_cast<std::size_t>(node.mesh)].weights
-                                             : node.weights};
+        gltf::Pose pose{weights_of(document_, node)};
         if (node.skin == gltf::no_index) return pose;
         int const first = document_.skins[static_cast<std::size_t>(node.skin)].joints.front();
         glm::dvec4 const origin = scene_from_node_[static_cast<std::size_t>(first)][3];
@@ -83,8 +99,9 @@ void build_meshes(Scene& scene, std::vector<gltf::PlacedNode> const& placed, glt
     std::set<Key> claimed;
     for (gltf::PlacedNode const& one : placed) {
         Key const key = key_of(one.node);
+        gltf::Node const& node = document.nodes[one.node];
         if (key.first != gltf::no_index && claimed.insert(key).second)
-            builder.claim(static_cast<std::size_t>(key.first));
+            builder.claim(static_cast<std::size_t>(key.first), weights_of(document, node), joints_of(document, node));
     }
     std::map<Key, std::uint32_t> numbers;
     scene.meshes.reserve(claimed.size());
@@ -92,8 +109,8 @@ void build_meshes(Scene& scene, std::vector<gltf::PlacedNode> const& placed, glt
         Key const key = key_of(index);
         if (key.first == gltf::no_index) continue;
         auto const [number, is_new] = numbers.try_emplace(key, without_triangles);
-        gltf::Pose const pose = poses.of(document.nodes[index], scene_from_mesh);
         if (is_new) {
+            gltf::Pose const pose = poses.of(document.nodes[index], scene_from_mesh);
             Mesh mesh = builder.build(static_cast<std::size_t>(key.first), pose);
             if (!mesh.parts.empty()) number->second = static_cast<std::uint32_t>(scene.meshes.size());
             if (!mesh.parts.empty()) scene.meshes.push_back(std::move(mesh));
@@ -101,6 +118,9 @@ void build_meshes(Scene& scene, std::vector<gltf::PlacedNode> const& placed, glt
         if (number->second != without_triangles) scene.instances.push_back({number->second, scene_from_mesh});
     }
     if (builder.used_default_material()) scene.materials.push_back({});
+    std::size_t const triangles = triangle_count(scene);
+    if (int const most = report.limits().most_triangles; triangles > static_cast<std::size_t>(most))
+        report.refuse_beyond("most_triangles", most, "/nodes", fmt::format("show {} triangles in all", triangles));
 }
 
 /// Counts what is done for the one who waits.

@@ -41,7 +41,8 @@ std::vector<std::string> warning_lines(GltfSummary const& summary);
 /// same arc length and altitude over the sphere whose top the origin touches. Each instance gets its own bent mesh,
 /// with a local origin in its middle. `planet_radius` [m]; `scale` [m per unit of the scene], which stays to be applied
 /// by the placement. Throws Error(bad_input) where the scene reaches farther than the planet's other side or its
-/// centre.
-void curve_to_planet(Scene& scene, double planet_radius, double scale);
+/// centre, or its meshes would have more than `most_vertices` in all.
+void curve_to_planet(Scene& scene, double planet_radius, double scale,
+                     int most_vertices = GltfLimits{}.most_vertices);
 
 } // namespace alpenglow

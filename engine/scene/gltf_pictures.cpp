@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <fmt/format.h>
 
 namespace alpenglow::gltf {
 
@@ -31,34 +32,55 @@ ByteImage halved(ByteImage const& image) {
 
 void check_extent(Extent const& extent, std::string const& pointer, Report const& report) {
     GltfLimits const& limits = report.limits();
-    std::string const is = "is a picture of " + std::to_string(extent.width) + " x " + std::to_string(extent.height);
+    std::string const is = fmt::format("is a picture of {} x {}", extent.width, extent.height);
     if (std::max(extent.width, extent.height) > static_cast<std::uint32_t>(limits.largest_picture))
         report.refuse_beyond("largest_picture", limits.largest_picture, pointer, is + " texels");
     if (extent.pixels() > static_cast<std::uint64_t>(limits.most_pixels) << 20)
-        report.refuse_beyond("most_pixels", limits.most_pixels, pointer, is + " or Mi texels");
+        report.refuse_beyond("most_pixels", limits.most_pixels, pointer,
+                             fmt::format("{}, {:.1f} Mi texels", is, static_cast<double>(extent.pixels()) / (1 << 20)));
 }
 
-ByteImage decode(std::vector<std::byte> const& bytes, std::string const& pointer, Report const& report) {
+/// Calls `read`; what it can't make of the picture is the file's fault.
+template <class Read> auto refusing(std::string const& pointer, Report const& report, Read const& read) {
     try {
-        Extent const extent = read_picture_header(bytes).extent;
-        check_extent(extent, pointer, report);
-        return decode_picture(bytes);
+        return read();
+    } catch (GltfError const&) {
+        throw;
     } catch (Error const& error) {
-        if (dynamic_cast<GltfError const*>(&error)) throw;
         report.refuse("IMAGE_DATA_INVALID", pointer, error.what(), "PNG, JPEG and WebP are read");
     }
 }
 
-Picture scaled_picture(ByteImage image, Document const& document, std::size_t index, int largest, Report& report) {
-    Extent const stored = image.extent;
-    auto const limit = static_cast<std::uint32_t>(std::max(largest, 1));
-    while (std::max(image.extent.width, image.extent.height) > limit) image = halved(image);
-    if (image.extent != stored) {
-        report.warn("/images/" + std::to_string(index) + " of " + std::to_string(stored.width) + " x " +
-                    std::to_string(stored.height) + " is scaled down to " + std::to_string(image.extent.width) + " x " +
-                    std::to_string(image.extent.height) + " (setting largest_texture)");
+Extent scaled(Extent extent, std::uint32_t largest) {
+    while (std::max(extent.width, extent.height) > largest)
+        extent = {std::max(extent.width / 2, 1u), std::max(extent.height / 2, 1u)};
+    return extent;
+}
+
+/// What the headers say, before anything is decoded.
+std::vector<PictureHeader> read_headers(std::vector<std::size_t> const& used,
+                                        std::vector<std::vector<std::byte>> const& files, std::uint32_t largest,
+                                        Report const& report) {
+    std::vector<PictureHeader> headers;
+    std::uint64_t pixels = 0;
+    for (std::size_t i = 0; i < used.size(); ++i) {
+        std::string const pointer = fmt::format("/images/{}", used[i]);
+        headers.push_back(refusing(pointer, report, [&] { return read_picture_header(files[i]); }));
+        check_extent(headers.back().extent, pointer, report);
+        pixels += scaled(headers.back().extent, largest).pixels();
+        if (int const most = report.limits().most_pixels_in_all; pixels > static_cast<std::uint64_t>(most) << 20)
+            report.refuse_beyond("most_pixels_in_all", most, pointer,
+                                 fmt::format("makes {:.1f} Mi texels in all", static_cast<double>(pixels) / (1 << 20)));
     }
-    return {document.images[index].name, image.extent.width, image.extent.height, std::move(image.rgba)};
+    return headers;
+}
+
+void say_what_changes(PictureHeader const& header, std::size_t image, std::uint32_t largest, Report& report) {
+    if (header.bits == 16) report.warn("pictures of 16 bits a channel are read as 8");
+    Extent const stored = header.extent, made = scaled(stored, largest);
+    if (made == stored) return;
+    report.warn(fmt::format("/images/{} of {} x {} is scaled down to {} x {} (setting largest_texture)", image,
+                            stored.width, stored.height, made.width, made.height));
 }
 
 /// Numbers the images that any material uses by their first use, writes the numbers into the textures, and gives the
@@ -84,22 +106,23 @@ std::vector<std::size_t> number_pictures(std::vector<Material>& materials, std::
 
 } // namespace
 
-std::vector<Picture> load_pictures(Document const& document, std::vector<Material>& materials, int largest,
+std::vector<Picture> load_pictures(Document const& document, std::vector<Material>& materials, int largest_texture,
                                    Report& report, std::function<void()> const& decoded) {
+    auto const largest = static_cast<std::uint32_t>(std::max(largest_texture, 1));
     std::vector<std::size_t> const used = number_pictures(materials, document.images.size());
     std::vector<std::vector<std::byte>> files;
     for (std::size_t index : used) files.push_back(read_image_bytes(document, index, report));
-    std::vector<ByteImage> images(used.size());
+    std::vector<PictureHeader> const headers = read_headers(used, files, largest, report);
+    std::vector<Picture> pictures(used.size());
     parallel_for(static_cast<int>(used.size()), 0, [&](int i) {
         auto const n = static_cast<std::size_t>(i);
-        images[n] = decode(files[n], "/images/" + std::to_string(used[n]), report);
+        ByteImage image =
+            refusing(fmt::format("/images/{}", used[n]), report, [&] { return decode_picture(files[n]); });
+        while (image.extent != scaled(image.extent, largest)) image = halved(image);
+        pictures[n] = {document.images[used[n]].name, image.extent.width, image.extent.height, std::move(image.rgba)};
         decoded();
     });
-    std::vector<Picture> pictures;
-    for (std::size_t i = 0; i < used.size(); ++i) {
-        if (read_picture_header(files[i]).bits == 16) report.warn("pictures of 16 bits a channel are read as 8");
-        pictures.push_back(scaled_picture(std::move(images[i]), document, used[i], largest, report));
-    }
+    for (std::size_t i = 0; i < used.size(); ++i) say_what_changes(headers[i], used[i], largest, report);
     return pictures;
 }
 

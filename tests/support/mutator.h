@@ -22,7 +22,7 @@ public:
     std::string bytes(std::string text);
     /// Changes one to three values of a JSON text, which stays JSON.
     std::string json(std::string const& text);
-    /// Changes a .glb's header, its JSON, or the order and lengths of its chunks.
+    /// Changes a .glb's header, its JSON, or the order and lengths of its chunks. 20 bytes or more.
     std::string glb(std::string const& file);
 
     std::size_t below(std::size_t count) { return count == 0 ? 0 : random_() % count; }
@@ -126,7 +126,7 @@ inline std::string Mutator::json(std::string const& text) {
 }
 
 inline std::string Mutator::glb(std::string const& file) {
-    std::size_t const json_size = detail::word_at(file, 12);
+    std::size_t const json_size = std::min<std::size_t>(detail::word_at(file, 12), file.size() - 20);
     std::string const text = file.substr(20, json_size), rest = file.substr(20 + json_size);
     auto const assembled = [&](std::string const& body) {
         auto const size = static_cast<std::uint32_t>(12 + body.size());

@@ -8,5 +8,4 @@ namespace alpenglow {
 ImageId add_lighting(FrameGraph& graph, FrameInputs const& in, ConstantsId frame, GBuffer const& gbuffer,
                      SunShadow const& shadow, AirTables const& air, int sample);
 
-
 } // namespace alpenglow
