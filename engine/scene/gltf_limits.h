@@ -14,7 +14,7 @@ struct GltfLimits {
     int most_vertices = 16 << 20;     ///< in all; 1.1 GiB
     int most_indices = 192 << 20;     ///< in all; 0.8 GiB
     int largest_picture = 16384;      ///< [texels] side of a picture before it is scaled down
-    int most_pixels = 128;            ///< [MiB texels] of a picture; four times as many bytes once decoded
+    int most_pixels = 128;            ///< [Mi texels] of a picture; four times as many bytes once decoded, or eight
 };
 
 GltfLimits gltf_limits(Settings const& settings);
