@@ -22,7 +22,7 @@ static_assert(Material::largest_reflectance == LARGEST_REFLECTANCE);
 /// The textures of a material in the order of their slots.
 std::array<Texture const*, MATERIAL_TEXTURES> textures_of(Material const& material) {
     return {&material.base_color_texture, &material.metallic_roughness_texture, &material.normal_texture,
-            &material.occlusion_texture, &material.emission_texture, &material.specular_texture,
+            &material.occlusion_texture,  &material.emission_texture,           &material.specular_texture,
             &material.reflectance_texture};
 }
 

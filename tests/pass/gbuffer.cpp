@@ -147,8 +147,9 @@ TEST_F(GBufferPass, mipmaps_of_colours_are_means_of_light_and_those_of_data_of_n
         for (Vertex& vertex : scene.meshes[0].vertices) vertex.uv0 = glm::vec2(vertex.position.x, vertex.position.z) * 1e3f;
         put(scene, stand_);
         draw();
-        EXPECT_EQ(middle<std::uint8_t>("albedo")[0], 188) << "half of white's light in sRGB";
-        EXPECT_NEAR(middle<std::uint8_t>("material")[1], 127.5, 0.6) << "metalness";
+        // Half of white's light is 187.5 in sRGB; the device's filter and rounding may take a step.
+        EXPECT_NEAR(middle<std::uint8_t>("albedo")[0], 187.5, 1);
+        EXPECT_NEAR(middle<std::uint8_t>("material")[1], 127.5, 1) << "metalness";
     }
 }
 
