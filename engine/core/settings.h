@@ -48,6 +48,7 @@ struct Settings {
     int most_indices = 192 << 20;
     int largest_picture = 16384; ///< [texels]
     int most_pixels = 128;       ///< [Mi texels]
+    int most_picture_memory = 4096; ///< [MiB]
 
     bool operator==(Settings const&) const = default;
 };

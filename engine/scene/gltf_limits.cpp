@@ -13,7 +13,8 @@ GltfLimits gltf_limits(Settings const& settings) {
             .most_vertices = settings.most_vertices,
             .most_indices = settings.most_indices,
             .largest_picture = settings.largest_picture,
-            .most_pixels = settings.most_pixels};
+            .most_pixels = settings.most_pixels,
+            .most_picture_memory = settings.most_picture_memory};
 }
 
 } // namespace alpenglow

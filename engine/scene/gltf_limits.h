@@ -15,6 +15,7 @@ struct GltfLimits {
     int most_indices = 192 << 20;     ///< in all; 0.8 GiB
     int largest_picture = 16384;      ///< [texels] side of a picture before it is scaled down
     int most_pixels = 128;            ///< [Mi texels] of a picture; four times as many bytes once decoded, or eight
+    int most_picture_memory = 4096;   ///< [MiB] of all pictures that materials use, scaled down, without mipmaps
 };
 
 GltfLimits gltf_limits(Settings const& settings);

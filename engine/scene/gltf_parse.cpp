@@ -269,7 +269,9 @@ std::vector<int> shown_roots(tinygltf::Model const& model, std::optional<int> ch
 
 std::vector<Image> convert_images(nlohmann::json const& json, Report const& report) {
     std::vector<Image> images;
-    for (nlohmann::json const& source : json.value("images", nlohmann::json::array())) {
+    auto const sources = json.find("images"); // not copied: they may hold whole pictures
+    if (sources == json.end()) return images;
+    for (nlohmann::json const& source : *sources) {
         if (source.contains("uri") == source.contains("bufferView")) {
             report.refuse("ONE_OF_MISMATCH", "/images/" + std::to_string(images.size()),
                           "must have either a uri or a bufferView");

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 
 namespace alpenglow::gltf {
 
@@ -62,6 +63,14 @@ struct UsedImage {
     bool srgb = false; ///< at least one use takes it for colours
 };
 
+/// `extent` halved until it fits.
+Extent fitted(Extent extent, std::uint32_t largest) {
+    while (std::max(extent.width, extent.height) > largest)
+        extent = {std::max(extent.width / 2, 1u), std::max(extent.height / 2, 1u)};
+    return extent;
+}
+
+/// Reads and decodes images, several at a time if need be.
 class Decoder {
 public:
     Decoder(Document const& document, int largest, Report const& report)
@@ -71,16 +80,19 @@ public:
         Picture picture;
         Extent stored;
     };
-    Result decode(std::vector<std::byte> const& file, UsedImage const& image) const {
+    Result decode(UsedImage const& image) {
         std::string const pointer = "/images/" + std::to_string(image.index);
+        std::vector<std::byte> const file = read_image_bytes(document_, image.index, report_);
         try {
             PictureHeader const header = read_picture_header(file);
             check_extent(header.extent, pointer, report_);
+            bool const deep = header.bits == 16;
+            claim(fitted(header.extent, largest_).pixels() * (deep ? 8 : 4));
             Result result{{document_.images[image.index].name, 0, 0, {}}, header.extent};
-            if (header.bits == 16)
-                result.picture.rgba16 = fit(decode_deep_picture(file), image.srgb, result.picture);
+            if (deep)
+                result.picture.rgba16 = scaled(decode_deep_picture(file), image.srgb, result.picture);
             else
-                result.picture.rgba = fit(decode_picture(file), image.srgb, result.picture);
+                result.picture.rgba = scaled(decode_picture(file), image.srgb, result.picture);
             return result;
         } catch (Error const& error) {
             if (dynamic_cast<GltfError const*>(&error)) throw;
@@ -89,8 +101,15 @@ public:
     }
 
 private:
+    /// A small file may name one picture again and again.
+    void claim(std::uint64_t bytes) {
+        int const most = report_.limits().most_picture_memory;
+        if ((claimed_ += bytes) > static_cast<std::uint64_t>(most) << 20)
+            report_.refuse_beyond("most_picture_memory", most, "/images", "take too many MiB once decoded");
+    }
+
     /// Halves the image until it fits, notes its extent and returns its texels.
-    template <class Image> decltype(Image::rgba) fit(Image image, bool srgb, Picture& picture) const {
+    template <class Image> decltype(Image::rgba) scaled(Image image, bool srgb, Picture& picture) const {
         while (std::max(image.extent.width, image.extent.height) > largest_) image = halved(image, srgb);
         picture.width = image.extent.width, picture.height = image.extent.height;
         return std::move(image.rgba);
@@ -99,6 +118,7 @@ private:
     Document const& document_;
     std::uint32_t largest_; ///< [texels]
     Report const& report_;
+    std::atomic<std::uint64_t> claimed_ = 0; ///< [bytes]
 };
 
 /// Numbers the images that any material uses by their first use, writes the numbers into the textures, and gives the
@@ -141,14 +161,11 @@ void warn_of_scaling(UsedImage const& image, Decoder::Result const& decoded, Rep
 std::vector<Picture> load_pictures(Document const& document, std::vector<Material>& materials, int largest,
                                    Report& report) {
     std::vector<UsedImage> const used = number_pictures(materials, document.images.size());
-    std::vector<std::vector<std::byte>> files;
-    for (UsedImage const& image : used) files.push_back(read_image_bytes(document, image.index, report));
     std::vector<Decoder::Result> decoded(used.size());
-    Decoder const decoder(document, largest, report);
+    Decoder decoder(document, largest, report);
     parallel_for(static_cast<int>(used.size()), 0, [&](int i) {
         auto const n = static_cast<std::size_t>(i);
-        decoded[n] = decoder.decode(files[n], used[n]);
-        files[n] = {};
+        decoded[n] = decoder.decode(used[n]);
     });
     std::vector<Picture> pictures;
     for (std::size_t i = 0; i < used.size(); ++i) {

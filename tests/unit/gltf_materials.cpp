@@ -163,6 +163,16 @@ TEST(GltfMaterials, sixteen_bits_stay_sixteen) {
               (std::vector<std::uint16_t>{half, half, half, 65535}));
 }
 
+TEST(GltfMaterials, pictures_in_all_are_limited) {
+    GltfBuilder builder = with_material({{"normalTexture", {{"index", 0}}}, {"emissiveTexture", {{"index", 1}}}});
+    builder.json["images"] = Json::array({{{"uri", png_uri(512, 512)}}, {{"uri", png_uri(512, 511)}}});
+    GltfOptions options;
+    options.limits.most_picture_memory = 1; // a picture of 512 x 512 takes it all
+    EXPECT_TRUE(codes_of(builder.gltf(), options).ends_with("refused LIMIT_EXCEEDED"));
+    options.largest_texture = 256;
+    EXPECT_EQ(builder.load(options).pictures.size(), 2u) << "what counts is what stays after scaling";
+}
+
 TEST(GltfMaterials, the_line_about_a_scaled_picture_names_the_setting) {
     GltfBuilder builder = with_material({{"normalTexture", {{"index", 0}}}});
     builder.json["images"][0] = {{"uri", png_uri(16, 4)}};
