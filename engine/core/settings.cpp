@@ -85,8 +85,9 @@ constexpr std::array TABLE{
                 .unit = "texels", .help = "limit for the side of a scene's picture, before it is scaled down"},
     SettingInfo{.name = "most_pixels", .member = &Settings::most_pixels, .smallest = 1, .largest = 4096,
                 .unit = "Mi texels", .help = "limit for the texels of a scene's picture, before it is scaled down"},
-    SettingInfo{.name = "most_pixels_in_all", .member = &Settings::most_pixels_in_all, .smallest = 1, .largest = 65536,
-                .unit = "Mi texels", .help = "limit for the texels of all of a scene's pictures, scaled down"},
+    SettingInfo{.name = "most_picture_memory", .member = &Settings::most_picture_memory, .smallest = 1,
+                .largest = 1048576, .unit = "MiB",
+                .help = "limit for the memory of a scene's pictures in all, after scaling, without mipmaps"},
 };
 
 bool is_choice(std::string_view choices, std::string_view value) {

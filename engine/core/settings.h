@@ -55,8 +55,8 @@ struct Settings {
     int most_indices = 192 << 20;
     int largest_picture = 16384; ///< [texels]
     int most_triangles = 64 << 20;
-    int most_pixels = 128;         ///< [Mi texels]
-    int most_pixels_in_all = 1024; ///< [Mi texels]
+    int most_pixels = 128;          ///< [Mi texels]
+    int most_picture_memory = 4096; ///< [MiB]
 
     bool operator==(Settings const&) const = default;
 };

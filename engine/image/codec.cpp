@@ -174,6 +174,16 @@ ByteImage decode_picture(std::span<std::byte const> bytes) {
     return image;
 }
 
+DeepImage decode_deep_picture(std::span<std::byte const> bytes) {
+    int width = 0, height = 0, channels = 0;
+    std::unique_ptr<stbi_us, decltype(&stbi_image_free)> const pixels(
+        stbi_load_16_from_memory(data_of(bytes), length_of(bytes), &width, &height, &channels, 4), stbi_image_free);
+    if (!pixels) fail();
+    DeepImage image({static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)});
+    std::copy_n(pixels.get(), image.rgba.size(), image.rgba.data());
+    return image;
+}
+
 ByteImage read_picture(std::filesystem::path const& path) {
     try {
         return decode_picture(read_file(path));

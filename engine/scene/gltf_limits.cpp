@@ -17,7 +17,7 @@ GltfLimits gltf_limits(Settings const& settings) {
             .largest_picture = settings.largest_picture,
             .most_triangles = settings.most_triangles,
             .most_pixels = settings.most_pixels,
-            .most_pixels_in_all = settings.most_pixels_in_all};
+            .most_picture_memory = settings.most_picture_memory};
 }
 
 } // namespace alpenglow

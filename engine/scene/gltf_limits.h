@@ -17,8 +17,8 @@ struct GltfLimits {
     int most_indices = 192 << 20;     ///< in all; 0.8 GiB
     int largest_picture = 16384;      ///< [texels] side of a picture before it is scaled down
     int most_triangles = 64 << 20;    ///< that are drawn: those of a mesh count once for each instance
-    int most_pixels = 128;            ///< [Mi texels] of a picture; four times as many bytes once decoded
-    int most_pixels_in_all = 1024;    ///< [Mi texels] of all pictures, scaled down; 4 GiB
+    int most_pixels = 128;            ///< [Mi texels] of a picture; four times as many bytes once decoded, or eight
+    int most_picture_memory = 4096;   ///< [MiB] of all pictures that materials use, scaled down, without mipmaps
 };
 
 GltfLimits gltf_limits(Settings const& settings);

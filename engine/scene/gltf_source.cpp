@@ -179,12 +179,16 @@ std::vector<std::byte> read_limited(std::filesystem::path const& path, std::stri
 }
 
 Source read_source(Report& report) {
-    std::vector<std::byte> const file = read_limited(report.file(), "", report);
+    std::vector<std::byte> file = read_limited(report.file(), "", report);
     Source source;
     source.binary = is_binary(file, report.file());
     Parts const parts = source.binary ? split_glb(file, report) : Parts{file, {}};
     source.json = parse_json(parts.json, report);
-    source.chunk.assign(parts.chunk.begin(), parts.chunk.end());
+    if (parts.chunk.empty()) return source;
+    // Moved within the file's own memory: a copy would need as much again.
+    std::ranges::copy(parts.chunk, file.begin());
+    file.resize(parts.chunk.size());
+    source.chunk = std::move(file);
     return source;
 }
 

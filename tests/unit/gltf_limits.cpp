@@ -77,7 +77,7 @@ std::vector<LimitRow> limit_rows() {
         {"most_triangles", &GltfLimits::most_triangles, 2, "/nodes: show 3 triangles in all", with_instances(3)},
         {"largest_picture", &GltfLimits::largest_picture, 15, "/images/0: is a picture of 16 x 2 texels", with_picture(16, 2)},
         {"most_pixels", &GltfLimits::most_pixels, 1, "/images/0: is a picture of 1025 x 1024, 1.0 Mi texels", with_picture(1025, 1024)},
-        {"most_pixels_in_all", &GltfLimits::most_pixels_in_all, 1, "/images/1: makes 1.5 Mi texels in all", with_picture(1024, 768, 2)},
+        {"most_picture_memory", &GltfLimits::most_picture_memory, 4, "/images: take 6 MiB or more once decoded", with_picture(1024, 768, 2)},
     };
 }
 

@@ -1,6 +1,7 @@
 #include "render/passes/lighting.h"
 
 #include "interop/lighting.h"
+#include "render/frame_constants.h"
 
 #include <embedded_shaders.h>
 #include <cmath>
