@@ -11,7 +11,7 @@
 
 // Bin 0 is darker than all others or black, the last is brighter than all others.
 #define HISTOGRAM_LOWEST -30.0f // [stops] log2 of the luminance where bin 1 begins
-#define HISTOGRAM_STEP 0.15f    // [stops]
+#define HISTOGRAM_STEP 0.18f    // [stops]; up to 2^15.7, more than the sun's disc
 
 // exposure: one workgroup
 #define EXPOSURE_COUNTS_SLOT 0

@@ -73,8 +73,8 @@ TEST_F(ExposurePass, meters_what_sorting_the_pixels_finds) {
     for (std::size_t p = 0; p < pictures.size(); ++p) {
         std::vector<double> all;
         for (std::uint32_t i = 0; i < EXTENT.pixels(); ++i) all.push_back(pictures[p](i));
-        // A step of the histogram is 0.15: half of it for where a pixel lies in its bin, and as much for the highlight.
-        EXPECT_NEAR(expose(pictures[p]).metered, metered_by_sorting(all), 0.15) << p;
+        // A step of the histogram is 0.18: half of it for where a pixel lies in its bin, and as much for the highlight.
+        EXPECT_NEAR(expose(pictures[p]).metered, metered_by_sorting(all), 0.18) << p;
     }
 }
 
@@ -105,7 +105,7 @@ TEST_F(ExposurePass, dusk_is_shown_darker_than_day_and_black_as_far_as_the_bound
         shader::ExposureState const state = expose([&](std::uint32_t) { return luminance; });
         return state.stops + luminance;
     };
-    EXPECT_NEAR(shown(-5), shown(-2), 0.16);
+    EXPECT_NEAR(shown(-5), shown(-2), 0.19);
     EXPECT_LT(shown(-12), shown(-5) - 0.5);
     EXPECT_LT(shown(-17), shown(-12) - 0.5);
     EXPECT_EQ(expose([](std::uint32_t) { return -100.0; }).stops, static_cast<float>(settings_.exposure_most));
