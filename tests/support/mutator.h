@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <random>
@@ -100,7 +101,8 @@ inline void Mutator::damage_value(nlohmann::json& value) {
         double const number = value.get<double>();
         std::array<double, 6> const near{number + 1, number - 1, -number, 2 * number, number / 2, number * 65536};
         double const changed = near[below(near.size())];
-        if (changed == static_cast<double>(static_cast<std::int64_t>(changed)))
+        constexpr double exact = 9007199254740992; // 2^53
+        if (std::abs(changed) < exact && changed == std::floor(changed))
             value = static_cast<std::int64_t>(changed);
         else
             value = changed;
