@@ -40,7 +40,8 @@ std::vector<PlotCase> load_cases(BenchOptions const& options) {
     return cases;
 }
 
-PlotPoint measure_point(Stage& stage, PlotCase const& given, BenchOptions const& options, std::string_view model, int samples) {
+PlotPoint measure_point(Stage& stage, PlotCase const& given, BenchOptions const& options, std::string_view model,
+                        int samples) {
     View view = stage.dressed(given.view);
     view.settings.model = model;
     view.settings.samples = samples;

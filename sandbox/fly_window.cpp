@@ -97,7 +97,7 @@ void WindowFlight::step() {
     mesh_ = panel_.finish(target(), report_, message());
     moving_ = view_text(pilot_.view()) != before;
     world_ = stage_.prepare(pilot_.view());
-    screen_.model_limits = model_limits(world_, pilot_.settings());
+    screen_.model_limits = model_limits(world_, pilot_.settings(), stage_.renderer().scene() != nullptr);
     if (std::exchange(screen_.save, false)) save();
     draw(choose_size());
 }

@@ -20,7 +20,9 @@ struct Axis {
     void include(double value) { least = std::min(least, value), most = std::max(most, value); }
     /// Room around the points.
     void widen() { least *= 0.8, most *= 1.25; }
-    double place(double value, double length) const { return length * std::log(value / least) / std::log(most / least); }
+    double place(double value, double length) const {
+        return length * std::log(value / least) / std::log(most / least);
+    }
     /// 1, 2 and 5 in each power of ten.
     std::vector<double> ticks() const {
         std::vector<double> result;
@@ -67,8 +69,9 @@ std::string text(double x, double y, char const* anchor, std::string const& word
 }
 
 std::string grid(Axes const& axes, double left, bool first) {
-    std::string svg = fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"#888\"/>\n", left,
-                                  TOP, PANEL, HEIGHT);
+    std::string svg =
+        fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"#888\"/>\n", left, TOP,
+                    PANEL, HEIGHT);
     for (double const tick : axes.x.ticks()) {
         double const x = left + axes.x.place(tick, PANEL);
         svg += fmt::format("<path d=\"M{:.1f} {}v{}\" stroke=\"#ddd\"/>\n", x, TOP, HEIGHT);
@@ -99,16 +102,19 @@ std::string svg_plot(std::span<PlotPanel const> panels, std::string const& x_lab
     Axes const axes = axes_of(panels);
     std::vector<std::string> const names = names_of(panels);
     double const width = LEFT + static_cast<double>(panels.size()) * (PANEL + GAP), height = TOP + HEIGHT + BOTTOM;
-    std::string svg = fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
-                                  "font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"{0}\" height=\"{1}\" fill=\"white\"/>\n",
-                                  width, height);
+    std::string svg = fmt::format(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
+        "font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"{0}\" height=\"{1}\" fill=\"white\"/>\n",
+        width, height);
     for (std::size_t i = 0; i < panels.size(); ++i) {
         double const left = LEFT + static_cast<double>(i) * (PANEL + GAP);
         svg += grid(axes, left, i == 0) + text(left + PANEL / 2, TOP - 10, "middle", panels[i].title);
-        for (PlotSeries const& series : panels[i].series) svg += curve(series, axes, left, color_of(series.name, names));
+        for (PlotSeries const& series : panels[i].series)
+            svg += curve(series, axes, left, color_of(series.name, names));
     }
     svg += text(width / 2, TOP + HEIGHT + 38, "middle", x_label);
-    svg += fmt::format("<text transform=\"translate(16 {}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n", TOP + HEIGHT / 2, y_label);
+    svg += fmt::format("<text transform=\"translate(16 {}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n",
+                       TOP + HEIGHT / 2, y_label);
     for (std::size_t i = 0; i < names.size(); ++i) {
         double const x = LEFT + 110.0 * static_cast<double>(i), y = height - 14;
         svg += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"4\" fill=\"{}\"/>\n", x, y - 4, color_of(names[i], names));

@@ -56,7 +56,7 @@ World Stage::prepare(View const& view) {
 
 void Stage::draw(View const& view, World const& world, Extent size, Renderer::Finish const& finish,
                  PresentSync const& sync) {
-    std::string const limits = model_limits(world, view.settings);
+    std::string const limits = model_limits(world, view.settings, renderer_.scene() != nullptr);
     if (!limits.empty() && said_.insert(limits).second) log_warning(limits);
     try {
         renderer_.draw(world, view.settings, size, finish, sync);

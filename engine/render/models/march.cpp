@@ -50,7 +50,7 @@ AirModel make_march() {
                         ShowScale::logarithm},
                        {"sky_irradiance", {SKY_IRRADIANCE_WIDTH, SKY_IRRADIANCE_HEIGHT}, ShowScale::logarithm}},
             .add_tables = add_tables,
-            .limits = [](World const&, Settings const&) -> std::string_view { return {}; }};
+            .limits = [](World const&, Settings const&, bool) -> std::string_view { return {}; }};
 }
 
 } // namespace alpenglow

@@ -33,8 +33,9 @@ struct AirModel {
     /// Declares the passes that fill the tables, and gives what the lighting pass binds behind its own slots, numbered
     /// from LIGHTING_MODEL_SLOT on. Tables that are not stale stay as they are.
     std::vector<Slot> (*add_tables)(FrameGraph& graph, AirTableInputs const& inputs);
-    /// What the model leaves out or can't do in this world, in one sentence; empty where it applies in full.
-    std::string_view (*limits)(World const& world, Settings const& settings);
+    /// What the model leaves out or can't do in this world, with meshes in it or without, in one sentence; empty where
+    /// it applies in full.
+    std::string_view (*limits)(World const& world, Settings const& settings, bool meshes);
 };
 
 } // namespace alpenglow

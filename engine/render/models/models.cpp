@@ -26,10 +26,10 @@ AirModel const& air_model(std::string_view name) {
     throw Error(ErrorKind::wrong_use, "there is no model '" + std::string(name) + "'", {}, "the models are: " + names);
 }
 
-std::string model_limits(World const& world, Settings const& settings) {
+std::string model_limits(World const& world, Settings const& settings, bool meshes) {
     AirModel const& model = air_model(settings.model);
     if (!world.planet.has_air || !settings.air) return {};
-    std::string_view const limits = model.limits(world, settings);
+    std::string_view const limits = model.limits(world, settings, meshes);
     return limits.empty() ? std::string() : fmt::format("model {}: {}", model.name, limits);
 }
 

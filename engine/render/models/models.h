@@ -13,7 +13,7 @@ std::span<AirModel const> air_models();
 AirModel const& air_model(std::string_view name);
 
 /// What the model in the settings leaves out or can't do in this world, in a sentence that begins with its name; empty
-/// where it applies in full or there is no air. Throws as `air_model`.
-std::string model_limits(World const& world, Settings const& settings);
+/// where it applies in full or there is no air. `meshes`: the world has some. Throws as `air_model`.
+std::string model_limits(World const& world, Settings const& settings, bool meshes);
 
 } // namespace alpenglow

@@ -6,7 +6,7 @@ namespace alpenglow {
 
 namespace {
 
-std::string_view limits(World const& world, Settings const&) {
+std::string_view limits(World const& world, Settings const&, bool) {
     bool const sun_is_up = glm::dot(world.camera.position, world.to_sun) > 0;
     return sun_is_up ? "light that is scattered more than once is left out: skies and shadows are too dark"
                      : "light that is scattered more than once is left out, which is most of it after sunset";

@@ -50,11 +50,12 @@ std::vector<Slot> add_tables(FrameGraph& graph, AirTableInputs const& inputs) {
                                                             aerial, {AERIAL_SIZE, AERIAL_SIZE}))};
 }
 
-std::string_view limits(World const& world, Settings const& settings) {
+std::string_view limits(World const& world, Settings const& settings, bool meshes) {
     double const altitude = glm::length(world.camera.position) - world.planet.radius;
     if (altitude > world.planet.air.top_altitude)
         return "from outside the air its tables of the view don't apply: each pixel is marched, without light shafts";
-    return settings.shafts ? "nothing but the planet shades the air: there are no light shafts" : std::string_view();
+    return meshes && settings.shafts ? "nothing but the planet shades the air: there are no light shafts"
+                                     : std::string_view();
 }
 
 } // namespace
