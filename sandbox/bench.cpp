@@ -1,5 +1,6 @@
 #include "core/progress.h"
 #include "sandbox/commands.h"
+#include "sandbox/cost_plot.h"
 #include "sandbox/frame_times.h"
 
 #include <fmt/format.h>
@@ -52,6 +53,10 @@ void print_table(Stage const& stage, BenchOptions const& options, std::vector<Vi
 } // namespace
 
 int bench(BenchOptions const& options) {
+    if (options.plot) {
+        plot_costs(options);
+        return 0;
+    }
     std::vector<View> views;
     for (std::filesystem::path const& file : options.views) views.push_back(load_view(file));
     Stage stage(options);

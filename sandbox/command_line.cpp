@@ -98,11 +98,17 @@ void require_gltf_name(std::filesystem::path const& file) {
                 "give a file that ends in .gltf or .glb");
 }
 
+void require_views(BenchOptions const& bench) {
+    if (bench.plot || !bench.views.empty()) return;
+    throw Error(ErrorKind::wrong_use, "VIEW.json is required", {}, "see alpenglow bench --help");
+}
+
 } // namespace
 
 Command parse_command_line(std::span<std::string const> arguments) {
     Command const command = Parser().parse(with_repeated_set(arguments));
     if (auto const* const terrain = std::get_if<TerrainCommandOptions>(&command)) require_gltf_name(terrain->out);
+    if (auto const* const bench = std::get_if<BenchOptions>(&command)) require_views(*bench);
     return command;
 }
 

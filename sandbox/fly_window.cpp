@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/log.h"
 #include "gpu/swapchain.h"
+#include "render/models/models.h"
 #include "render/passes/overlay.h"
 #include "render/passes/present.h"
 #include "render/passes/show.h"
@@ -102,6 +103,7 @@ void WindowFlight::step() {
     mesh_ = panel_.finish(target(), report_, message());
     moving_ = view_text(pilot_.view()) != before;
     world_ = stage_.prepare(pilot_.view());
+    screen_.model_limits = model_limits(world_, pilot_.settings(), stage_.renderer().scene() != nullptr);
     if (std::exchange(screen_.save, false)) save();
     undrawn_ += dt;
     draw(choose_size());

@@ -19,6 +19,7 @@ constexpr double NO_LIMIT = std::numeric_limits<double>::infinity();
 
 constexpr std::array TABLE{
     SettingInfo{.name = "air", .member = &Settings::air, .help = "the air's in-scattered light and extinction"},
+    SettingInfo{.name = "model", .member = &Settings::model, .choices = "march|naive|tables", .help = "how the air is lit"},
     SettingInfo{.name = "samples", .member = &Settings::samples, .smallest = 4, .largest = 1024,
                 .help = "march samples for each pixel"},
     SettingInfo{.name = "shafts", .member = &Settings::shafts,
@@ -167,6 +168,16 @@ std::string range_text(SettingInfo const& info) {
     if (std::holds_alternative<std::string Settings::*>(info.member)) return "a text";
     if (info.smallest == -NO_LIMIT && info.largest == NO_LIMIT) return "a number" + unit;
     return fmt::format("{} to {}{}", info.smallest, info.largest, unit);
+}
+
+std::vector<std::string> choices_of(SettingInfo const& info) {
+    std::vector<std::string> result;
+    for (std::string_view rest = info.choices; !rest.empty();) {
+        std::size_t const bar = std::min(rest.find('|'), rest.size());
+        result.emplace_back(rest.substr(0, bar));
+        rest.remove_prefix(std::min(bar + 1, rest.size()));
+    }
+    return result;
 }
 
 bool in_range(SettingInfo const& info, SettingValue const& value) {

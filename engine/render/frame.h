@@ -6,11 +6,16 @@
 #include "render/gpu_scene.h"
 #include "scene/view.h"
 
+#include <memory>
+#include <vector>
+
 namespace alpenglow {
 
-/// Tables of the air; they outlive the frame and are made anew when `stale`.
+struct AirModel;
+
+/// What the frame's model of the air gives the lighting pass to read.
 struct AirTables {
-    ImageId transmittance, multiple_scattering, sky_irradiance;
+    std::vector<Slot> slots;
 };
 
 struct SunShadow {
@@ -29,10 +34,9 @@ struct FrameInputs {
     GpuScene const* scene = nullptr;   ///< nullptr: the planet alone
     ShadowFit const& shadow;
     std::vector<shader::FrameConstants> const& constants; ///< one for each supersample
-    GpuImage& transmittance;
-    GpuImage& multiple_scattering;
-    GpuImage& sky_irradiance;
-    bool air_is_stale = true;
+    AirModel const& model;             ///< how the air is lit
+    std::vector<std::unique_ptr<GpuImage>> const& air_tables; ///< the model's, in its order
+    bool air_is_stale = true;          ///< the tables hold nothing, or another air's
     GpuImage& exposure;                ///< one texel: interop/exposure.h
     double seconds;                    ///< since the picture before, by which exposure adapts; ADAPTED_AT_ONCE
     GpuImage& mean;                    ///< radiance, the mean of the supersamples

@@ -2,12 +2,12 @@
 
 #include "image/image.h"
 #include "interop/exposure.h"
+#include "render/air_table_store.h"
 #include "render/executor.h"
 #include "render/frame.h"
 
 #include <functional>
 #include <memory>
-#include <optional>
 
 namespace alpenglow {
 
@@ -47,15 +47,14 @@ public:
 private:
     GpuImage* kept_image(std::string const& name);
     void size_pictures(Extent extent);
-    bool air_changed(Planet const& planet);
 
     Device const& device_;
     Executor executor_;
     std::unique_ptr<GpuScene> scene_;
-    GpuImage transmittance_, multiple_scattering_, sky_irradiance_, exposure_;
+    AirTableStore air_tables_;
+    GpuImage exposure_;
     std::unique_ptr<GpuImage> mean_, picture_;
     double seconds_; ///< since the picture before
-    std::optional<shader::Atmosphere> table_air_; ///< what the tables were made for
 };
 
 } // namespace alpenglow

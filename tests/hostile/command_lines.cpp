@@ -35,7 +35,7 @@ std::vector<Refusal> rows() {
         wrong_use("terrain_without_an_end", {"terrain", "--out", "terrain.obj"}, {"terrain.obj", ".gltf"}),
         wrong_use("terrain_of_no_size", {"terrain", "--side", "0", "--out", "t.glb"}, {"--side"}),
         wrong_use("terrain_too_large", {"terrain", "--side", "999", "--out", "t.glb"}, {"side", "400"}),
-        wrong_use("unknown_model", {"evaluate", "--model", "default", "bruneton"}, {"--model", "bruneton", "the models are: default"}),
+        wrong_use("unknown_model", {"evaluate", "--model", "march", "bruneton"}, {"--model", "bruneton", "march", "naive"}),
         wrong_use("evaluate_unknown_setting", {"evaluate", "--set", "sampels=8"}, {"sampels", "samples"}),
         wrong_use("compare_one_picture", {"compare", "a.exr"}, {"REFERENCE", "compare --help"}),
         wrong_use("compare_at_no_exposure", {"compare", "a.exr", "b.exr", "--exposure", "nan"}, {"--exposure", "nan"}),

@@ -17,8 +17,11 @@ protected:
         settings.samples = 6;
         settings.cascade_size = 256;
         settings.sun_disc = settings.stars = true;
-        for (bool const air : {true, false}) {
-            settings.air = air;
+        std::vector<std::string> lights = choices_of(*find_setting("model"));
+        lights.emplace_back("no air");
+        for (std::string const& light : lights) {
+            settings.air = light != "no air";
+            if (settings.air) settings.model = light;
             for (double const altitude : {2.0, 900.0, 12e3, 1e5, 4e5, 2e7}) {
                 for (double const sun : {-18.0, -6.0, -0.27, 0.0, 0.27, 5.0, 45.0, 90.0}) {
                     // Down to the horizon and beyond it, from anywhere.
@@ -28,7 +31,7 @@ protected:
                     FloatImage const image = radiance(world, settings, EXTENT);
                     int bad = 0;
                     for (float const value : image.rgba) bad += !(std::isfinite(value) && value >= 0);
-                    EXPECT_EQ(bad, 0) << "altitude " << altitude << ", sun at " << sun << ", air " << air;
+                    EXPECT_EQ(bad, 0) << "altitude " << altitude << ", sun at " << sun << ", " << light;
                 }
             }
         }

@@ -121,10 +121,10 @@ TEST(CommandLine, terrain_and_bench_and_devices) {
 TEST(CommandLine, evaluate_takes_lists_of_views_and_known_models) {
     auto const all = std::get<EvaluateOptions>(parse("evaluate"));
     EXPECT_TRUE(all.views.empty() && all.models.empty() && !all.json && !all.references && !all.check);
-    auto const some = std::get<EvaluateOptions>(parse("evaluate --views a.json b.json --model default --references r --heatmaps h "
+    auto const some = std::get<EvaluateOptions>(parse("evaluate --views a.json b.json --model march --references r --heatmaps h "
                                                       "--document d.md --check c.md --set samples=64 --json"));
     EXPECT_EQ(some.views, (std::vector<std::filesystem::path>{"a.json", "b.json"}));
-    EXPECT_EQ(some.models, (std::vector<std::string>{"default"}));
+    EXPECT_EQ(some.models, (std::vector<std::string>{"march"}));
     EXPECT_EQ(some.references, "r");
     EXPECT_EQ(some.heatmaps, "h");
     EXPECT_EQ(some.document, "d.md");

@@ -2,8 +2,8 @@
 
 #include "interop/lighting.h"
 #include "render/frame_constants.h"
+#include "render/models/model.h"
 
-#include <embedded_shaders.h>
 #include <cmath>
 
 namespace alpenglow {
@@ -25,20 +25,16 @@ ImageId add_lighting(FrameGraph& graph, FrameInputs const& in, ConstantsId frame
                             : graph.find("lit");
     shader::LightingPush const push{in.settings.show == SHOW_CASCADES ? LIGHTING_SHOW_CASCADES : LIGHTING_RESULT,
                                     celestial_turn(in.world.to_sun)};
-    graph.add(ComputePass{"lighting",
-                          shaders::lighting_comp,
-                          {constants(LIGHTING_FRAME_SLOT, frame),
-                           sampled(LIGHTING_ALBEDO_SLOT, gbuffer.albedo, NEAREST_CLAMP),
-                           sampled(LIGHTING_NORMAL_SLOT, gbuffer.normal, NEAREST_CLAMP),
-                           sampled(LIGHTING_MATERIAL_SLOT, gbuffer.material, NEAREST_CLAMP),
-                           sampled(LIGHTING_EMISSION_SLOT, gbuffer.emission, NEAREST_CLAMP),
-                           sampled(LIGHTING_DEPTH_SLOT, gbuffer.depth, NEAREST_CLAMP),
-                           sampled_array(LIGHTING_SHADOW_SLOT, shadow.cascades, SHADOW_COMPARE),
-                           sampled(LIGHTING_TRANSMITTANCE_SLOT, air.transmittance),
-                           sampled(LIGHTING_MULTIPLE_SCATTERING_SLOT, air.multiple_scattering),
-                           sampled(LIGHTING_SKY_IRRADIANCE_SLOT, air.sky_irradiance), stored(LIGHTING_LIT_SLOT, lit)},
-                          in.extent,
-                          bytes_of(push)});
+    std::vector<Slot> slots{constants(LIGHTING_FRAME_SLOT, frame),
+                            sampled(LIGHTING_ALBEDO_SLOT, gbuffer.albedo, NEAREST_CLAMP),
+                            sampled(LIGHTING_NORMAL_SLOT, gbuffer.normal, NEAREST_CLAMP),
+                            sampled(LIGHTING_MATERIAL_SLOT, gbuffer.material, NEAREST_CLAMP),
+                            sampled(LIGHTING_EMISSION_SLOT, gbuffer.emission, NEAREST_CLAMP),
+                            sampled(LIGHTING_DEPTH_SLOT, gbuffer.depth, NEAREST_CLAMP),
+                            sampled_array(LIGHTING_SHADOW_SLOT, shadow.cascades, SHADOW_COMPARE),
+                            stored(LIGHTING_LIT_SLOT, lit)};
+    slots.insert(slots.end(), air.slots.begin(), air.slots.end());
+    graph.add(ComputePass{"lighting", in.model.lighting, std::move(slots), in.extent, bytes_of(push)});
     return lit;
 }
 
