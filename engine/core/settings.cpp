@@ -19,7 +19,8 @@ constexpr double NO_LIMIT = std::numeric_limits<double>::infinity();
 
 constexpr std::array TABLE{
     SettingInfo{.name = "air", .member = &Settings::air, .help = "the air's in-scattered light and extinction"},
-    SettingInfo{.name = "model", .member = &Settings::model, .choices = "march|naive|tables", .help = "how the air is lit"},
+    SettingInfo{.name = "model", .member = &Settings::model, .choices = "march|naive|tables",
+                .help = "how the air is lit: docs/adding_a_model.md"},
     SettingInfo{.name = "samples", .member = &Settings::samples, .smallest = 4, .largest = 1024,
                 .help = "march samples for each pixel"},
     SettingInfo{.name = "shafts", .member = &Settings::shafts,

@@ -36,12 +36,10 @@ Span shaded_span(AirRay ray, vec3 light, float entry, float end) {
     return crossed(span, Span(0.0, end));
 }
 
-// What changes slowly along a ray, as the tables hold it: their 32nd roots follow an exponential nearly linearly, so that one
-// look into the tables serves a few samples.
+// What changes slowly along a ray, as the table holds it: its 32nd root follows an exponential nearly linearly, so that one
+// look into the table serves a few samples. The depth towards a low sun does not: it is looked up for each.
 struct AirNode {
     float t;        // from the ray's origin [m]
-    float altitude; // [m]
-    vec3 sun_root;  // of the optical depth towards the sun
     vec3 psi_root;  // of the multiple scattering
 };
 
@@ -49,9 +47,8 @@ const int NODE_SPACING = 4; // samples
 
 AirNode air_node(Atmosphere atmosphere, AirRay ray, float t) {
     float altitude = altitude_at(ray, t), sun_along = ray.sun_along + t * ray.nu;
-    vec2 sun_uv = transmittance_uv_from_altitude_along(atmosphere, altitude, sun_along);
     vec2 psi_uv = multiple_scattering_uv(atmosphere, altitude, sun_along / (atmosphere.ground_radius + altitude));
-    return AirNode(t, altitude, sample_bilinear(transmittance_table, sun_uv).rgb, sample_bilinear(multiple_scattering_table, psi_uv).rgb);
+    return AirNode(t, sample_bilinear(multiple_scattering_table, psi_uv).rgb);
 }
 
 // Adds the light of one cell, evaluated at distance t [m] between two nodes, and seen by the share `visibility` of the sun.
@@ -59,10 +56,7 @@ void add_air_cell(inout AirLight light, Atmosphere atmosphere, RayPhases phases,
                   float visibility, float cell_length) {
     float altitude = altitude_at(ray, t), sun_along = ray.sun_along + t * ray.nu;
     float share = clamp((t - near.t) / max(far.t - near.t, TINY), 0.0, 1.0);
-    // Altitude bends between the nodes where a straight line of their depths would not: to first order of the root.
-    float bend = (mix(near.altitude, far.altitude, share) - altitude) / (32.0 * atmosphere.rayleigh_scale_height);
-    vec3 sun_depth = power32(mix(near.sun_root, far.sun_root, share) * (1.0 + bend));
-    vec3 sun = exp(-sun_depth) * (sun_above_horizon_along(atmosphere, altitude, sun_along) * visibility);
+    vec3 sun = sample_sun_transmittance_along(transmittance_table, atmosphere, altitude, sun_along) * visibility;
     vec3 psi = power32(mix(near.psi_root, far.psi_root, share)) * ((frame.flags & FRAME_MULTIPLE_SCATTERING) != 0 ? 1.0 : 0.0);
     Medium medium = medium_at(atmosphere, altitude);
     add_cell(light, inscattering_source(medium, phases, sun, psi), medium.extinction, cell_length);
