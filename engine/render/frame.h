@@ -10,7 +10,7 @@ namespace alpenglow {
 
 /// Tables of the air; they outlive the frame and are made anew when `stale`.
 struct AirTables {
-    ImageId transmittance, multiple_scattering, sky_irradiance;
+    ImageId transmittance, multiple_scattering;
 };
 
 struct SunShadow {
@@ -31,7 +31,6 @@ struct FrameInputs {
     std::vector<shader::FrameConstants> const& constants; ///< one for each supersample
     GpuImage& transmittance;
     GpuImage& multiple_scattering;
-    GpuImage& sky_irradiance;
     bool air_is_stale = true;
     GpuImage& mean;                    ///< radiance, the mean of the supersamples
     GpuImage& picture;                 ///< display-ready, 8 bits

@@ -29,9 +29,8 @@ std::vector<shader::FrameConstants> supersample_constants(World const& world, Se
 Renderer::Renderer(Device const& device, std::uint32_t frames_in_flight)
     : device_(device), executor_(device, frames_in_flight),
       transmittance_(device, table_shape(TRANSMITTANCE_WIDTH, TRANSMITTANCE_HEIGHT), KEPT, "transmittance"),
-      multiple_scattering_(device, table_shape(MULTIPLE_SCATTERING_WIDTH, MULTIPLE_SCATTERING_HEIGHT), KEPT,
-                           "multiple_scattering"),
-      sky_irradiance_(device, table_shape(SKY_IRRADIANCE_WIDTH, SKY_IRRADIANCE_HEIGHT), KEPT, "sky_irradiance") {}
+      multiple_scattering_(device, table_shape(MULTIPLE_SCATTERING_WIDTH, LIGHT_TILES * MULTIPLE_SCATTERING_HEIGHT), KEPT,
+                           "multiple_scattering") {}
 
 Renderer::~Renderer() { vkDeviceWaitIdle(device_.handle()); }
 
@@ -68,12 +67,17 @@ void Renderer::draw(World const& world, Settings const& settings, Extent extent,
     }
     double const ceiling = scene_ ? scene_->highest_altitude() : 0.0;
     auto const constants = supersample_constants(world, settings, extent, shadow, ceiling);
-    FrameInputs const inputs{world,           settings,
-                             extent,          scene_.get(),
-                             shadow,          constants,
-                             transmittance_,  multiple_scattering_,
-                             sky_irradiance_, air_changed(world.planet),
-                             *mean_,          *picture_};
+    FrameInputs const inputs{world,
+                             settings,
+                             extent,
+                             scene_.get(),
+                             shadow,
+                             constants,
+                             transmittance_,
+                             multiple_scattering_,
+                             air_changed(world.planet),
+                             *mean_,
+                             *picture_};
     FrameGraph graph;
     build_frame(graph, inputs);
     if (finish) finish(graph, graph.find("picture"));
@@ -105,7 +109,6 @@ FloatImage Renderer::radiance() {
 GpuImage* Renderer::kept_image(std::string const& name) {
     if (name == "transmittance") return &transmittance_;
     if (name == "multiple_scattering") return &multiple_scattering_;
-    if (name == "sky_irradiance") return &sky_irradiance_;
     if (name == "radiance") return mean_.get();
     return name == "picture" ? picture_.get() : nullptr;
 }

@@ -45,7 +45,7 @@ private:
     Device const& device_;
     Executor executor_;
     std::unique_ptr<GpuScene> scene_;
-    GpuImage transmittance_, multiple_scattering_, sky_irradiance_;
+    GpuImage transmittance_, multiple_scattering_;
     std::unique_ptr<GpuImage> mean_, picture_;
     std::optional<shader::Atmosphere> table_air_; ///< what the tables were made for
 };

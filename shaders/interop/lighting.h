@@ -12,8 +12,7 @@
 #define LIGHTING_SHADOW_SLOT 6              // in, cascades: depth array with comparison
 #define LIGHTING_TRANSMITTANCE_SLOT 7       // in, table
 #define LIGHTING_MULTIPLE_SCATTERING_SLOT 8 // in, table
-#define LIGHTING_SKY_IRRADIANCE_SLOT 9      // in, table
-#define LIGHTING_LIT_SLOT 10                // out, rgba32f: radiance, relative to the sun's irradiance
+#define LIGHTING_LIT_SLOT 9                 // out, rgba32f: radiance, relative to the sun's irradiance
 
 // What the shader shows in place of the radiance.
 #define LIGHTING_RESULT 0

@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
-#include "atmosphere/sky_irradiance.glsl"
+#include "atmosphere/inscattering.glsl"
 #include "encoding/color.glsl"
 #include "encoding/octahedral.glsl"
 #include "interop/gbuffer.h"
@@ -18,7 +18,6 @@ layout(set = 0, binding = LIGHTING_DEPTH_SLOT) uniform sampler2D depth_image;
 layout(set = 0, binding = LIGHTING_SHADOW_SLOT) uniform sampler2DArrayShadow shadow_cascades;
 layout(set = 0, binding = LIGHTING_TRANSMITTANCE_SLOT) uniform sampler2D transmittance_table;
 layout(set = 0, binding = LIGHTING_MULTIPLE_SCATTERING_SLOT) uniform sampler2D multiple_scattering_table;
-layout(set = 0, binding = LIGHTING_SKY_IRRADIANCE_SLOT) uniform sampler2D sky_irradiance_table;
 layout(set = 0, binding = LIGHTING_LIT_SLOT, rgba32f) uniform writeonly image2D lit_image;
 layout(push_constant, scalar) uniform Push { LightingPush push; };
 
@@ -54,9 +53,12 @@ vec3 surface_radiance(ivec2 pixel, PixelRay ray, AirPoint place, vec3 light) {
     vec3 shading = unit_from_octahedral(normals.xy), facing = unit_from_octahedral(normals.zw);
     vec3 to_camera = -ray.direction;
 
+    // Up at the surface: the camera's up moved along the ray.
+    vec3 up = normalize(frame.camera_up * (frame.atmosphere.ground_radius + frame.camera_altitude) + ray.direction * ray.distance);
     vec3 sun = vec3(1.0), sky = vec3(0.0);
     if (has_flag(FRAME_HAS_AIR)) {
-        sky = sample_sky_irradiance(sky_irradiance_table, frame.atmosphere, place.altitude, place.mu_s);
+        sky = sample_diffuse_irradiance(multiple_scattering_table, frame.atmosphere, place.altitude, place.mu_s,
+                                        clamp(dot(shading, up), -1.0, 1.0), clamp(dot(shading, frame.to_sun), -1.0, 1.0));
         sun = sample_sun_transmittance(transmittance_table, frame.atmosphere, place.altitude, place.mu_s);
     } else {
         sun *= sun_above_horizon(frame.atmosphere, place.altitude, place.mu_s);
@@ -66,10 +68,7 @@ vec3 surface_radiance(ivec2 pixel, PixelRay ray, AirPoint place, vec3 light) {
         visibility = surface_visibility(light, frame.light_from_world * facing);
         visibility *= smoothstep(0.0, 0.02, dot(facing, frame.to_sun)); // what turns away from the sun is in its own shadow
     }
-    // Up at the surface: the camera's up moved along the ray.
-    vec3 up = normalize(frame.camera_up * (frame.atmosphere.ground_radius + frame.camera_altitude) + ray.direction * ray.distance);
-    vec3 ground = (sky + sun * max(place.mu_s, 0.0)) * frame.atmosphere.ground_albedo;
-    vec3 ambient = sky_irradiance_on_normal(sky, ground, clamp(dot(shading, up), -1.0, 1.0)) * albedo.a;
+    vec3 ambient = sky * albedo.a;
 
     float n_v = clamp(dot(shading, to_camera), 0.0, 1.0);
     vec3 radiance = reflect_light(surface, shading, to_camera, frame.to_sun) * sun * visibility + reflect_ambient(surface, n_v) * ambient;

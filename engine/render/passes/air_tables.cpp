@@ -1,37 +1,67 @@
 #include "render/passes/air_tables.h"
 
 #include "interop/multiple_scattering.h"
-#include "interop/sky_irradiance.h"
 #include "interop/transmittance.h"
 
 #include <embedded_shaders.h>
 
+#include <utility>
+
 namespace alpenglow {
+
+namespace {
+
+/// Orders of scattering behind the first. An order is worth 0.43 of the last over Earth with a ground albedo of 0.3.
+constexpr int ROUNDS = 12;
+
+/// A workgroup for each node.
+Extent const NODES{MULTIPLE_SCATTERING_WIDTH * WORKGROUP_SIZE, MULTIPLE_SCATTERING_HEIGHT * WORKGROUP_SIZE};
+
+void add_transmittance(FrameGraph& graph, ConstantsId frame, ImageId table) {
+    graph.add(ComputePass{"transmittance",
+                          shaders::transmittance_comp,
+                          {constants(TRANSMITTANCE_FRAME_SLOT, frame), stored(TRANSMITTANCE_TABLE_SLOT, table)},
+                          graph.shape(table).extent});
+}
+
+void add_first_order(FrameGraph& graph, ConstantsId frame, ImageId transmittance, ImageId table, ImageId start) {
+    graph.add(ComputePass{"first_order",
+                          shaders::first_order_comp,
+                          {constants(FIRST_ORDER_FRAME_SLOT, frame),
+                           sampled(FIRST_ORDER_TRANSMITTANCE_SLOT, transmittance),
+                           stored(FIRST_ORDER_TABLE_SLOT, table), stored(FIRST_ORDER_START_SLOT, start)},
+                          NODES});
+}
+
+/// One order more: `table` from `before`.
+void add_order(FrameGraph& graph, ConstantsId frame, ImageId first_order, ImageId before, ImageId table) {
+    graph.add(ComputePass{"multiple_scattering",
+                          shaders::multiple_scattering_comp,
+                          {constants(MULTIPLE_SCATTERING_FRAME_SLOT, frame),
+                           sampled(MULTIPLE_SCATTERING_FIRST_ORDER_SLOT, first_order, NEAREST_CLAMP),
+                           sampled(MULTIPLE_SCATTERING_BEFORE_SLOT, before),
+                           stored(MULTIPLE_SCATTERING_TABLE_SLOT, table)},
+                          NODES});
+}
+
+} // namespace
 
 AirTables add_air_tables(FrameGraph& graph, FrameInputs const& in, ConstantsId frame) {
     bool const kept = !in.air_is_stale;
     AirTables const air{graph.import(in.transmittance, "transmittance", ShowScale::optical_depth, kept),
-                        graph.import(in.multiple_scattering, "multiple_scattering", ShowScale::logarithm, kept),
-                        graph.import(in.sky_irradiance, "sky_irradiance", ShowScale::logarithm, kept)};
+                        graph.import(in.multiple_scattering, "multiple_scattering", ShowScale::logarithm, kept)};
     if (kept) return air;
-    graph.add(
-        ComputePass{"transmittance",
-                    shaders::transmittance_comp,
-                    {constants(TRANSMITTANCE_FRAME_SLOT, frame), stored(TRANSMITTANCE_TABLE_SLOT, air.transmittance)},
-                    in.transmittance.shape().extent});
-    graph.add(ComputePass{"multiple_scattering",
-                          shaders::multiple_scattering_comp,
-                          {constants(MULTIPLE_SCATTERING_FRAME_SLOT, frame),
-                           sampled(MULTIPLE_SCATTERING_TRANSMITTANCE_SLOT, air.transmittance),
-                           stored(MULTIPLE_SCATTERING_TABLE_SLOT, air.multiple_scattering)},
-                          in.multiple_scattering.shape().extent});
-    graph.add(ComputePass{"sky_irradiance",
-                          shaders::sky_irradiance_comp,
-                          {constants(SKY_IRRADIANCE_FRAME_SLOT, frame),
-                           sampled(SKY_IRRADIANCE_TRANSMITTANCE_SLOT, air.transmittance),
-                           sampled(SKY_IRRADIANCE_MULTIPLE_SCATTERING_SLOT, air.multiple_scattering),
-                           stored(SKY_IRRADIANCE_TABLE_SLOT, air.sky_irradiance)},
-                          in.sky_irradiance.shape().extent});
+    ImageShape const shape = graph.shape(air.multiple_scattering);
+    ImageId const first_order = graph.add_image("first_order", shape, ShowScale::logarithm);
+    ImageId const between = graph.add_image("orders", shape, ShowScale::logarithm);
+    add_transmittance(graph, frame, air.transmittance);
+    ImageId before = ROUNDS % 2 == 0 ? air.multiple_scattering : between;
+    ImageId table = ROUNDS % 2 == 0 ? between : air.multiple_scattering;
+    add_first_order(graph, frame, air.transmittance, first_order, before);
+    for (int round = 0; round < ROUNDS; ++round) {
+        add_order(graph, frame, first_order, before, table);
+        std::swap(before, table);
+    }
     return air;
 }
 

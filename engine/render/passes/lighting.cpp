@@ -23,7 +23,7 @@ ImageId add_lighting(FrameGraph& graph, FrameInputs const& in, ConstantsId frame
                            sampled_array(LIGHTING_SHADOW_SLOT, shadow.cascades, SHADOW_COMPARE),
                            sampled(LIGHTING_TRANSMITTANCE_SLOT, air.transmittance),
                            sampled(LIGHTING_MULTIPLE_SCATTERING_SLOT, air.multiple_scattering),
-                           sampled(LIGHTING_SKY_IRRADIANCE_SLOT, air.sky_irradiance), stored(LIGHTING_LIT_SLOT, lit)},
+                           stored(LIGHTING_LIT_SLOT, lit)},
                           in.extent,
                           bytes_of(push)});
     return lit;
