@@ -1,6 +1,7 @@
 #include "render/frame_constants.h"
 
 #include "interop/display.h"
+#include "render/phase_moments.h"
 
 #include <algorithm>
 #include <array>
@@ -105,6 +106,9 @@ shader::Atmosphere atmosphere_of(Planet const& planet) {
     a.ground_albedo = glm::vec3(planet.ground_albedo);
     a.solar_irradiance = glm::vec3(planet.solar_irradiance);
     a.sun_angular_radius = static_cast<float>(planet.sun_angular_radius);
+    a.phase_moments[RAYLEIGH_MOMENTS] = phase_moments([](double nu) { return rayleigh_phase(nu); });
+    a.phase_moments[AEROSOL_MOMENTS] =
+        phase_moments([g = air.aerosol_g](double nu) { return cornette_shanks_phase(nu, g); });
     return a;
 }
 

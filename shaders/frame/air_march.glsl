@@ -3,6 +3,7 @@
 // samples or all, evenly, fewer where it is short; the rest are placed by altitude. Included by the lighting pass, whose images it reads.
 #ifndef ALPENGLOW_FRAME_AIR_MARCH
 #define ALPENGLOW_FRAME_AIR_MARCH
+#include "atmosphere/inscattering.glsl"
 #include "frame/sun_shadow.glsl"
 
 // Distances from the ray's origin [m]; empty where end <= begin.
@@ -36,62 +37,97 @@ Span shaded_span(AirRay ray, vec3 light, float entry, float end) {
     return crossed(span, Span(0.0, end));
 }
 
-// What changes slowly along a ray, as the table holds it: its 32nd root follows an exponential nearly linearly, so that one
-// look into the table serves a few samples. The depth towards a low sun does not: it is looked up for each.
-struct AirNode {
-    float t;        // from the ray's origin [m]
-    vec3 psi_root;  // of the multiple scattering
+// Diffuse light changes slowly along a ray: a look into its six tiles at both ends and in the middle of a run of cells serves
+// them all, by a parabola between the 32nd roots, which follow an exponential nearly linearly.
+struct DiffuseNode {
+    vec3 root;          // of the mean diffuse light
+    vec3 rayleigh_gain; // what each scatters of it into the ray, relative to the mean
+    vec3 aerosol_gain;
 };
 
-const int NODE_SPACING = 4; // samples
+const int RUN = 8; // cells
 
-AirNode air_node(Atmosphere atmosphere, AirRay ray, float t) {
-    float altitude = altitude_at(ray, t), sun_along = ray.sun_along + t * ray.nu;
-    vec2 psi_uv = multiple_scattering_uv(atmosphere, altitude, sun_along / (atmosphere.ground_radius + altitude));
-    return AirNode(t, sample_bilinear(multiple_scattering_table, psi_uv).rgb);
+DiffuseNode diffuse_node(Atmosphere atmosphere, AirRay ray, float t) {
+    AirPoint point = air_point_at(ray, t);
+    LightMoments around = sample_light_moments(multiple_scattering_table, atmosphere, point.altitude, point.mu_s);
+    LightByDegree towards = light_by_degree(around, sunward_direction(point.mu, point.mu_s, ray.nu));
+    return DiffuseNode(around.root, scattered_gain(atmosphere.phase_moments[RAYLEIGH_MOMENTS], towards),
+                       scattered_gain(atmosphere.phase_moments[AEROSOL_MOMENTS], towards));
 }
 
-// Adds the light of one cell, evaluated at distance t [m] between two nodes, and seen by the share `visibility` of the sun.
-void add_air_cell(inout AirLight light, Atmosphere atmosphere, RayPhases phases, AirRay ray, AirNode near, AirNode far, float t,
-                  float visibility, float cell_length) {
-    float altitude = altitude_at(ray, t), sun_along = ray.sun_along + t * ray.nu;
-    float share = clamp((t - near.t) / max(far.t - near.t, TINY), 0.0, 1.0);
-    vec3 sun = sample_sun_transmittance_along(transmittance_table, atmosphere, altitude, sun_along) * visibility;
-    vec3 psi = power32(mix(near.psi_root, far.psi_root, share)) * ((frame.flags & FRAME_MULTIPLE_SCATTERING) != 0 ? 1.0 : 0.0);
-    Medium medium = medium_at(atmosphere, altitude);
-    add_cell(light, inscattering_source(medium, phases, sun, psi), medium.extinction, cell_length);
+struct DiffuseRun {
+    DiffuseNode near, middle, far;
+};
+
+vec3 on_parabola(vec3 near, vec3 middle, vec3 far, float share) {
+    return near * ((1.0 - share) * (1.0 - 2.0 * share)) + middle * (4.0 * share * (1.0 - share)) + far * (share * (2.0 * share - 1.0));
 }
 
-// `n` even cells, each looking into the cascades.
+// At the share of the run's cells.
+DiffuseLight diffuse_light_in(DiffuseRun run, float share) {
+    vec3 mean = power32(max(on_parabola(run.near.root, run.middle.root, run.far.root, share), vec3(0.0)));
+    return DiffuseLight(mean * on_parabola(run.near.rayleigh_gain, run.middle.rayleigh_gain, run.far.rayleigh_gain, share),
+                        mean * on_parabola(run.near.aerosol_gain, run.middle.aerosol_gain, run.far.aerosol_gain, share));
+}
+
+// Adds the light of one cell. `middle` is its share of the run, `seen` the share of the sun's disc that no mesh hides; `edge` the
+// medium where the cell begins, and then where it ends.
+void add_air_cell(inout AirLight light, Atmosphere atmosphere, RayPhases phases, AirRay ray, MarchCell cell, DiffuseRun run,
+                  float middle, float per_cell, float seen, inout Medium edge) {
+    Medium next = medium_at(atmosphere, altitude_at(ray, cell.end));
+    CellMedium air = cell_medium(edge, medium_at(atmosphere, altitude_at(ray, cell.middle)), next);
+    edge = next;
+    float cell_length = cell.end - cell.begin, t = cell.middle + air.centre * cell_length;
+    vec3 sun = seen * sample_sun_transmittance_along(transmittance_table, atmosphere, altitude_at(ray, t), ray.sun_along + t * ray.nu);
+    DiffuseLight diffuse = diffuse_light_in(run, middle + air.centre * per_cell);
+    vec3 extinction = diffuse_extinction(atmosphere, air.mean);
+    if ((frame.flags & FRAME_MULTIPLE_SCATTERING) == 0) {
+        diffuse = no_diffuse_light();
+        extinction = air.mean.extinction;
+    }
+    add_cell(light, inscattering_source(air.mean, phases, sun, diffuse), extinction, cell_length);
+}
+
+// `n` even cells, each looking into the cascades at its share `dither`.
 AirLight march_shaded(Atmosphere atmosphere, AirRay ray, RayPhases phases, vec3 light, float entry, Span span, int n, float dither) {
     AirLight result = no_air_light();
-    float cell = (span.end - span.begin) / float(max(n, 1));
-    AirNode near = air_node(atmosphere, ray, span.begin);
-    for (int first = 0; first < n; first += NODE_SPACING) {
-        int next = min(first + NODE_SPACING, n);
-        AirNode far = air_node(atmosphere, ray, span.begin + float(next) * cell);
+    float size = (span.end - span.begin) / float(max(n, 1));
+    Medium edge = medium_at(atmosphere, altitude_at(ray, span.begin));
+    DiffuseRun run;
+    run.far = diffuse_node(atmosphere, ray, span.begin);
+    for (int first = 0; first < n; first += RUN) {
+        int next = min(first + RUN, n);
+        float per_cell = 1.0 / float(next - first);
+        run.near = run.far;
+        run.middle = diffuse_node(atmosphere, ray, span.begin + 0.5 * float(first + next) * size);
+        run.far = diffuse_node(atmosphere, ray, span.begin + float(next) * size);
         for (int i = first; i < next; ++i) {
-            float t = span.begin + (float(i) + dither) * cell;
-            add_air_cell(result, atmosphere, phases, ray, near, far, t, air_visibility(light * (t + entry)), cell);
+            float begin = span.begin + float(i) * size;
+            MarchCell cell = MarchCell(begin, begin + 0.5 * size, begin + size);
+            float seen = air_visibility(light * (begin + dither * size + entry));
+            add_air_cell(result, atmosphere, phases, ray, cell, run, (float(i - first) + 0.5) * per_cell, per_cell, seen, edge);
         }
-        near = far;
     }
     return result;
 }
 
 // `n` cells placed by altitude, with nothing in the sun's way but the planet; added behind `result`.
 void march_clear(inout AirLight result, Atmosphere atmosphere, AirRay ray, RayPhases phases, MarchCells cells, int n) {
-    AirNode near = air_node(atmosphere, ray, cells.begin);
+    Medium edge = medium_at(atmosphere, altitude_at(ray, cells.begin));
+    DiffuseRun run;
+    run.far = diffuse_node(atmosphere, ray, cells.begin);
     float from = cells.begin;
-    for (int first = 0; first < n; first += NODE_SPACING) {
-        int next = min(first + NODE_SPACING, n);
-        AirNode far = air_node(atmosphere, ray, march_distance(cells, float(next) / float(n)));
+    for (int first = 0; first < n; first += RUN) {
+        int next = min(first + RUN, n);
+        float per_cell = 1.0 / float(next - first);
+        run.near = run.far;
+        run.middle = diffuse_node(atmosphere, ray, march_distance(cells, 0.5 * float(first + next) / float(n)));
+        run.far = diffuse_node(atmosphere, ray, march_distance(cells, float(next) / float(n)));
         for (int i = first; i < next; ++i) {
             MarchCell cell = march_cell_from(cells, from, i, n);
             from = cell.end;
-            add_air_cell(result, atmosphere, phases, ray, near, far, cell.middle, 1.0, cell.end - cell.begin);
+            add_air_cell(result, atmosphere, phases, ray, cell, run, (float(i - first) + 0.5) * per_cell, per_cell, 1.0, edge);
         }
-        near = far;
     }
 }
 

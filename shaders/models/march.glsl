@@ -1,19 +1,17 @@
 // Model `march`: the ray is marched, the sun's way and all further orders of scattering come from tables.
-#include "atmosphere/sky_irradiance.glsl"
+#include "atmosphere/inscattering.glsl"
 #include "frame/air_model.glsl"
 #include "interop/models/march.h"
 
 layout(set = 0, binding = MARCH_TRANSMITTANCE_SLOT) uniform sampler2D transmittance_table;
 layout(set = 0, binding = MARCH_MULTIPLE_SCATTERING_SLOT) uniform sampler2D multiple_scattering_table;
-layout(set = 0, binding = MARCH_SKY_IRRADIANCE_SLOT) uniform sampler2D sky_irradiance_table;
 
 #include "frame/air_march.glsl"
 
 AirLight air_light(ViewRay ray) { return march_air(ray.pixel, ray.air, ray.light, ray.distance); }
 
 SurfaceLight surface_light(AirPoint place, float normal_up, float normal_sun) {
-    vec3 sky = sample_sky_irradiance(sky_irradiance_table, frame.atmosphere, place.altitude, place.mu_s);
     vec3 sun = sample_sun_transmittance(transmittance_table, frame.atmosphere, place.altitude, place.mu_s);
-    vec3 ground = (sky + sun * max(place.mu_s, 0.0)) * frame.atmosphere.ground_albedo;
-    return SurfaceLight(sun, sky_irradiance_on_normal(sky, ground, normal_up));
+    vec3 sky = sample_diffuse_irradiance(multiple_scattering_table, frame.atmosphere, place.altitude, place.mu_s, normal_up, normal_sun);
+    return SurfaceLight(sun, sky);
 }

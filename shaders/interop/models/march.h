@@ -5,6 +5,5 @@
 
 #define MARCH_TRANSMITTANCE_SLOT (LIGHTING_MODEL_SLOT + 0)       // tables: linear filter, clamped to the edge
 #define MARCH_MULTIPLE_SCATTERING_SLOT (LIGHTING_MODEL_SLOT + 1)
-#define MARCH_SKY_IRRADIANCE_SLOT (LIGHTING_MODEL_SLOT + 2)
 
 #endif

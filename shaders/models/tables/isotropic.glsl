@@ -26,7 +26,7 @@ INLINE vec3 scattering_of(Medium medium) { return medium.rayleigh_scattering + m
 
 // Radiance per metre [1/(sr m)] that the medium adds to a ray: sunlight `sun` by the phases, further orders evenly.
 INLINE vec3 isotropic_source(Medium medium, RayPhases phases, vec3 sun, vec3 psi) {
-    return inscattering_source(medium, phases, sun, vec3(0.0f)) + scattering_of(medium) * psi;
+    return inscattering_source(medium, phases, sun, no_diffuse_light()) + scattering_of(medium) * psi;
 }
 
 // One direction's share of the sums.

@@ -1,0 +1,106 @@
+#include "support/air.h"
+
+#include <gtest/gtest.h>
+
+using namespace alpenglow;
+using namespace alpenglow::shader;
+
+namespace {
+
+/// Few directions and cells: fixed points, order and symmetry do not depend on them.
+constexpr GatherRays FEW_FIRST = {2, 1, 6, 12}, FEW_HIGHER = {1, 1, 4, 8};
+
+/// Even light of radiance 1/sr everywhere.
+test::Table const& furnace_light() {
+    static test::Table const table(1, LIGHT_TILES * MULTIPLE_SCATTERING_HEIGHT, [](vec2 uv) {
+        return int(uv.y * LIGHT_TILES) % 2 == 0 ? vec4(1, 0, 0, 0) : vec4(0);
+    });
+    return table;
+}
+
+/// Air and ground that lose nothing.
+Atmosphere lossless_air() {
+    Atmosphere air = test::earth_air();
+    air.aerosol_extinction = air.aerosol_scattering;
+    air.ozone_absorption = vec3(0);
+    air.ground_albedo = vec3(1);
+    return air;
+}
+
+test::LightTable light_of(Atmosphere const& air, int rounds) {
+    test::Table const transmittance = test::make_transmittance_table(air);
+    test::LightTable light(air, transmittance.sampler(), FEW_FIRST);
+    for (int i = 0; i < rounds; ++i) light.add_order(air, FEW_HIGHER);
+    return light;
+}
+
+} // namespace
+
+// Between white ground and air that loses nothing even light stays even: a ray to the ground brings what it went out with,
+// whatever the phases, and one to space lacks what it would have let in.
+TEST(MultipleScattering, even_light_in_a_furnace_stays_even) {
+    Atmosphere const air = lossless_air();
+    for (float const h : {0.0f, 3000.0f, 40e3f})
+        for (float const mu : {-0.99f, -0.5f, -0.2f, 0.01f, 0.3f, 1.0f}) {
+            AirRay const ray = make_air_ray(air.ground_radius, h, mu, 0.4f, 0.4f * mu + 0.1f);
+            AirSegment const segment = air_segment(air, ray);
+            vec3 const depth = compute_optical_depth(air, ray, 0, segment.end);
+            float const straight = air.phase_moments[AEROSOL_MOMENTS].degree[0];
+            Atmosphere scaled = air;
+            scaled.aerosol_extinction *= straight;
+            vec3 const diffuse_depth = compute_optical_depth(scaled, ray, 0, segment.end);
+            EXPECT_LE(diffuse_depth.x, depth.x);
+            vec3 const light = scattered_light(air, furnace_light().sampler(), ray, 64);
+            for (int c = 0; c < 3; ++c) {
+                double const exact = segment.hits_ground ? 1 : -std::expm1(-double(diffuse_depth[c]));
+                EXPECT_NEAR(light[c], exact, 0.002 * exact) << h << " " << mu;
+            }
+        }
+}
+
+TEST(MultipleScattering, every_node_is_finite_and_every_order_adds_light) {
+    for (Atmosphere const& air : {test::earth_air(), test::dense_air()}) {
+        test::LightTable const one = light_of(air, 1), three = light_of(air, 3);
+        for (std::size_t node = 0; node < test::LightTable::nodes(); ++node) {
+            for (std::size_t tile = 0; tile < LIGHT_TILES; ++tile) {
+                vec4 const texel = three.texels()[tile * test::LightTable::nodes() + node];
+                ASSERT_TRUE(std::isfinite(texel.x + texel.y + texel.z + texel.w));
+            }
+            for (std::size_t tile = 0; tile < LIGHT_TILES; tile += 2) {
+                std::size_t const i = tile * test::LightTable::nodes() + node;
+                ASSERT_GE(three.texels()[i].x, one.texels()[i].x * (1 - 1e-6f));
+                ASSERT_LT(three.texels()[i].x, std::pow(1 / PI, 1.0f / 32)); // a white world under a full sun
+            }
+        }
+    }
+}
+
+TEST(MultipleScattering, without_air_and_on_black_ground_there_is_no_light) {
+    Atmosphere air = test::no_air();
+    air.ground_albedo = vec3(0);
+    test::LightTable const light = light_of(air, 1);
+    EXPECT_LT(sample_diffuse_irradiance(light.sampler(), air, 0, 0.5f, 1, 0.5f).x, 1e-20f);
+}
+
+// Ground without air: half of all directions hold the sun's light by Lambert's law.
+TEST(MultipleScattering, light_from_airless_ground_is_known) {
+    Atmosphere air = test::no_air();
+    air.ground_albedo = vec3(0.3f);
+    test::LightTable const light = light_of(air, 1);
+    vec3 const root = sample_light_moments(light.sampler(), air, 0, 0.8f).root;
+    EXPECT_NEAR(power32(root).x, 0.5 * 0.3 * 0.8 / std::numbers::pi, 2e-4);
+    EXPECT_NEAR(sample_diffuse_irradiance(light.sampler(), air, 0, 0.8f, -1, -0.8f).x, 0.3 * 0.8, 1e-3);
+    EXPECT_NEAR(sample_diffuse_irradiance(light.sampler(), air, 0, 0.8f, 1, 0.8f).x, 0, 1e-3);
+}
+
+TEST(MultipleScattering, the_mapping_goes_there_and_back) {
+    Atmosphere const air = test::earth_air();
+    for (int y = 0; y < 16; ++y)
+        for (int x = 0; x < 64; ++x) {
+            vec2 const uv((float(x) + 0.5f) / 64, (float(y) + 0.5f) / 16);
+            vec2 const node = altitude_sun_from_uv(air, uv, 64, 16);
+            vec2 const back = sun_table_uv(air, node.x, node.y, 64, 16);
+            EXPECT_NEAR(back.x, uv.x, 1e-5);
+            EXPECT_NEAR(back.y, uv.y, 1e-5);
+        }
+}
