@@ -30,7 +30,8 @@ shader::PhaseMoments phase_moments(PhaseFunction const& phase) {
         double value = 1, next = x;
         for (std::size_t l = 0; l < degree.size(); ++l) {
             degree[l] += share * value;
-            double const after = ((2.0 * l + 3) * x * next - (l + 1.0) * value) / (l + 2.0);
+            auto const n = static_cast<double>(l);
+            double const after = ((2 * n + 3) * x * next - (n + 1) * value) / (n + 2);
             value = next, next = after;
         }
     }

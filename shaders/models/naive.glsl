@@ -43,7 +43,7 @@ AirLight air_light(ViewRay view) {
         Medium medium = medium_at(atmosphere, altitude_at(ray, cell.middle));
         vec3 sun = march_to_sun(atmosphere, ray, cell.middle, frame.samples);
         if ((frame.flags & FRAME_SHAFTS) != 0) sun *= air_visibility(view.light * (cell.middle + entry));
-        add_cell(light, inscattering_source(medium, phases, sun, vec3(0.0)), medium.extinction, cell.end - cell.begin);
+        add_cell(light, inscattering_source(medium, phases, sun, no_diffuse_light()), medium.extinction, cell.end - cell.begin);
     }
     return light;
 }
