@@ -37,6 +37,8 @@ struct FrameInputs {
     AirModel const& model;             ///< how the air is lit
     std::vector<std::unique_ptr<GpuImage>> const& air_tables; ///< the model's, in its order
     bool air_is_stale = true;          ///< the tables hold nothing, or another air's
+    GpuImage& exposure;                ///< one texel: interop/exposure.h
+    double seconds;                    ///< since the picture before, by which exposure adapts; ADAPTED_AT_ONCE
     GpuImage& mean;                    ///< radiance, the mean of the supersamples
     GpuImage& picture;                 ///< display-ready, 8 bits
 };

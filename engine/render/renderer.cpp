@@ -3,8 +3,10 @@
 #include "gpu/transfer.h"
 #include "render/frame_constants.h"
 #include "render/models/models.h"
+#include "render/passes/exposure.h"
 
 #include <cstring>
+#include <utility>
 
 namespace alpenglow {
 
@@ -35,7 +37,11 @@ std::vector<shader::FrameConstants> supersample_constants(World const& world, Se
 } // namespace
 
 Renderer::Renderer(Device const& device, std::uint32_t frames_in_flight)
-    : device_(device), executor_(device, frames_in_flight), air_tables_(device) {}
+    : device_(device), executor_(device, frames_in_flight), air_tables_(device),
+      exposure_(device, table_shape(1, 1), KEPT | VK_IMAGE_USAGE_TRANSFER_DST_BIT, "exposure"),
+      seconds_(ADAPTED_AT_ONCE) {
+    upload(device, exposure_, bytes_of(shader::ExposureState{1, 0, 0, 0}));
+}
 
 Renderer::~Renderer() { vkDeviceWaitIdle(device_.handle()); }
 
@@ -68,8 +74,9 @@ void Renderer::draw(World const& world, Settings const& settings, Extent extent,
     AirModel const& model = air_model(settings.model);
     AirTableStore::Kept& tables = air_tables_.of(model);
     bool const stale = take_air(tables, constants.front().atmosphere);
-    FrameInputs const inputs{world,         settings, extent, scene_.get(), shadow, constants, model,
-                             tables.images, stale,    *mean_, *picture_};
+    double const seconds = std::exchange(seconds_, ADAPTED_AT_ONCE);
+    FrameInputs const inputs{world,         settings, extent,    scene_.get(), shadow, constants, model,
+                             tables.images, stale,    exposure_, seconds,      *mean_, *picture_};
     FrameGraph graph;
     build_frame(graph, inputs);
     if (finish) finish(graph, graph.find("picture"));
@@ -96,6 +103,13 @@ FloatImage Renderer::radiance() {
     std::vector<std::byte> const bytes = read_back(device_, *mean_);
     std::memcpy(image.rgba.data(), bytes.data(), bytes.size());
     return image;
+}
+
+shader::ExposureState Renderer::exposure() {
+    executor_.wait();
+    shader::ExposureState state{};
+    std::memcpy(&state, read_back(device_, exposure_).data(), sizeof state);
+    return state;
 }
 
 GpuImage* Renderer::kept_image(std::string const& name) {

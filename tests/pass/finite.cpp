@@ -16,7 +16,7 @@ protected:
         Settings settings = plain_settings();
         settings.samples = 6;
         settings.cascade_size = 256;
-        settings.sun_disc = true;
+        settings.sun_disc = settings.stars = true;
         std::vector<std::string> lights = choices_of(*find_setting("model"));
         lights.emplace_back("no air");
         for (std::string const& light : lights) {
