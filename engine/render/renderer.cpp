@@ -38,7 +38,7 @@ std::vector<shader::FrameConstants> supersample_constants(World const& world, Se
 
 Renderer::Renderer(Device const& device, std::uint32_t frames_in_flight)
     : device_(device), executor_(device, frames_in_flight), air_tables_(device),
-      exposure_(device, {VK_FORMAT_R32G32B32A32_SFLOAT, {1, 1}}, KEPT | VK_IMAGE_USAGE_TRANSFER_DST_BIT, "exposure"),
+      exposure_(device, table_shape(1, 1), KEPT | VK_IMAGE_USAGE_TRANSFER_DST_BIT, "exposure"),
       seconds_(ADAPTED_AT_ONCE) {
     upload(device, exposure_, bytes_of(shader::ExposureState{1, 0, 0, 0}));
 }
@@ -74,19 +74,9 @@ void Renderer::draw(World const& world, Settings const& settings, Extent extent,
     AirModel const& model = air_model(settings.model);
     AirTableStore::Kept& tables = air_tables_.of(model);
     bool const stale = take_air(tables, constants.front().atmosphere);
-    FrameInputs const inputs{world,
-                             settings,
-                             extent,
-                             scene_.get(),
-                             shadow,
-                             constants,
-                             model,
-                             tables.images,
-                             stale,
-                             exposure_,
-                             std::exchange(seconds_, ADAPTED_AT_ONCE),
-                             *mean_,
-                             *picture_};
+    double const seconds = std::exchange(seconds_, ADAPTED_AT_ONCE);
+    FrameInputs const inputs{world,         settings, extent,    scene_.get(), shadow, constants, model,
+                             tables.images, stale,    exposure_, seconds,      *mean_, *picture_};
     FrameGraph graph;
     build_frame(graph, inputs);
     if (finish) finish(graph, graph.find("picture"));

@@ -20,8 +20,8 @@ layout(set = 0, binding = LIGHTING_SHADOW_SLOT) uniform sampler2DArrayShadow sha
 layout(set = 0, binding = LIGHTING_LIT_SLOT, rgba32f) uniform writeonly image2D lit_image;
 layout(push_constant, scalar) uniform Push { LightingPush push; };
 
-#include "frame/sun_shadow.glsl"
 #include "frame/celestial.glsl"
+#include "frame/sun_shadow.glsl"
 #include "models/@AIR_MODEL@.glsl" // CMakeLists.txt: once with each file of that folder
 
 bool has_flag(int flag) { return (frame.flags & flag) != 0; }
