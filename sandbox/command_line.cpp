@@ -19,6 +19,7 @@ public:
         app_.require_subcommand(1);
         add(fly_);
         add(render_);
+        add(studio_);
         add(reference_);
         add(terrain_);
         add(bench_);
@@ -67,6 +68,7 @@ private:
     CLI::App app_;
     FlyOptions fly_;
     RenderOptions render_;
+    StudioOptions studio_;
     ReferenceOptions reference_;
     TerrainCommandOptions terrain_;
     BenchOptions bench_;

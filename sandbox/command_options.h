@@ -9,6 +9,7 @@ namespace alpenglow {
 /// Each adds a command with its arguments, which go to `options`: this must live as long as `program` reads.
 CLI::App& add_command(CLI::App& program, FlyOptions& options);
 CLI::App& add_command(CLI::App& program, RenderOptions& options);
+CLI::App& add_command(CLI::App& program, StudioOptions& options);
 CLI::App& add_command(CLI::App& program, BenchOptions& options);
 CLI::App& add_command(CLI::App& program, ReferenceOptions& options);
 CLI::App& add_command(CLI::App& program, CompareOptions& options);

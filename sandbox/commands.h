@@ -61,6 +61,12 @@ struct RenderOptions : DrawOptions {
     bool png = true, exr = false; ///< at least one
 };
 
+struct StudioOptions : DrawOptions {
+    std::vector<std::filesystem::path> scenes; ///< at least one: glTF files, and folders of them
+    Extent size{320, 320};                     ///< of each scene's picture
+    std::filesystem::path out = "out/studio.png";
+};
+
 struct BenchOptions : DrawOptions {
     std::vector<std::filesystem::path> views; ///< at least one
     Extent size{1280, 720};
@@ -115,6 +121,7 @@ struct DevicesOptions {};
 /// Each returns the exit code, and throws Error.
 int fly(FlyOptions const& options);
 int render(RenderOptions const& options);
+int studio(StudioOptions const& options);
 int bench(BenchOptions const& options);
 int compare(CompareOptions const& options);
 int evaluate(EvaluateOptions const& options);

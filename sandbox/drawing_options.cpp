@@ -80,6 +80,23 @@ CLI::App& add_command(CLI::App& program, RenderOptions& options) {
     return app;
 }
 
+CLI::App& add_command(CLI::App& program, StudioOptions& options) {
+    CLI::App& app = *program.add_subcommand(
+        "studio", "Draws each scene by itself, in even light and without a planet, on one sheet");
+    app.add_option_function<std::vector<std::string>>(
+           "SCENE",
+           [&options](std::vector<std::string> const& given) { options.scenes.assign(given.begin(), given.end()); },
+           "glTF files, or folders of them")
+        ->required()
+        ->type_name("FILE");
+    add_scene_index(app, options.scene_index);
+    add_size(app, options.size, "each scene's picture; 320x320");
+    add_path(app, "--out", "FILE.png", options.out, "the sheet; out/studio.png unless given");
+    add_overrides(app, options.overrides);
+    add_device_options(app, options);
+    return app;
+}
+
 CLI::App& add_command(CLI::App& program, BenchOptions& options) {
     CLI::App& app = *program.add_subcommand("bench", "Measures each pass: medians over some frames");
     add_views(app, options.views);

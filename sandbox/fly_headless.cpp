@@ -31,6 +31,7 @@ void fly_headless(FlyOptions const& options, Flight const& flight) {
         std::string const altitude = altitude_text(view.camera.place.altitude);
         progress.update(static_cast<std::size_t>(i), altitude);
         World const world = stage.prepare(view);
+        if (i > 0) stage.renderer().pass_time(flight.duration() / (options.frames - 1));
         stage.draw(view, world, size);
         ByteImage const picture = stage.renderer().picture();
         write_png(options.out / fmt::format("frame_{:04}.png", i), picture);

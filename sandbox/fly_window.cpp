@@ -5,6 +5,7 @@
 #include "gpu/swapchain.h"
 #include "render/passes/overlay.h"
 #include "render/passes/present.h"
+#include "render/passes/show.h"
 #include "sandbox/panel.h"
 #include "sandbox/render_scale.h"
 #include "sandbox/saved_views.h"
@@ -21,6 +22,7 @@ namespace {
 constexpr std::uint32_t FRAMES_IN_FLIGHT = 2;
 constexpr double IDLE_PATIENCE = 0.1; // [s] between looks at a picture that stands still
 constexpr double MESSAGE_TIME = 5;    // [s]
+constexpr double ADAPTED = 0.01;      // [stops] that nobody sees
 constexpr double JITTER = 16;         // [screen units] a mouse that moves less from its place was only touched
 constexpr double WHEEL_ZOOM = 0.9;    // of the field of view, for a notch
 char const* const SAVED_VIEWS = "out/views";
@@ -55,6 +57,8 @@ private:
     void draw(Extent size);
     void finish(FrameGraph& graph, ImageId picture, GpuImage& target);
     void note_times();
+    void note_exposure();
+    bool stands_still() const;
     void save();
     std::string message() const;
     KeyTarget target() { return {pilot_, screen_}; }
@@ -77,12 +81,14 @@ private:
     bool stale_swapchain_ = false;
     std::string drawn_;  ///< the view of the picture, as text: the same text is the same picture
     bool moving_ = true; ///< the view is another one than in the last step
+    double undrawn_ = 0; ///< [s] since the last picture
+    double exposure_noted_ = 0; ///< [s]
     std::string message_;
     double message_end_ = 0; ///< [s]
 };
 
 void WindowFlight::step() {
-    bool const idle = !moving_ && drawn_ == view_text(pilot_.view());
+    bool const idle = !moving_ && stands_still();
     WindowEvents const events = window_.poll(idle ? IDLE_PATIENCE : 0);
     if (!fit_window(events)) {
         window_.poll(IDLE_PATIENCE);
@@ -97,7 +103,14 @@ void WindowFlight::step() {
     moving_ = view_text(pilot_.view()) != before;
     world_ = stage_.prepare(pilot_.view());
     if (std::exchange(screen_.save, false)) save();
+    undrawn_ += dt;
     draw(choose_size());
+}
+
+/// Whether the next picture would be the last one again.
+bool WindowFlight::stands_still() const {
+    bool const adapting = std::abs(report_.exposure_target - report_.exposure) > ADAPTED;
+    return drawn_ == view_text(pilot_.view()) && !adapting;
 }
 
 bool WindowFlight::fit_window(WindowEvents const& events) {
@@ -157,13 +170,13 @@ void WindowFlight::draw(Extent size) {
     }
     auto const finishing = [&](FrameGraph& graph, ImageId picture) { finish(graph, picture, *target->image); };
     PresentSync const sync{target->acquired, target->finished};
-    std::string const view = view_text(pilot_.view());
-    bool const same = view == drawn_ && size == report_.drawn;
+    bool const same = stands_still() && size == report_.drawn;
     if (same) {
         stage_.renderer().finish_again(finishing, sync);
     } else {
+        if (!drawn_.empty()) stage_.renderer().pass_time(std::exchange(undrawn_, 0));
         stage_.draw(pilot_.view(), world_, size, finishing, sync);
-        drawn_ = view;
+        drawn_ = view_text(pilot_.view());
         report_.drawn = size;
     }
     stale_swapchain_ = !swapchain_.present();
@@ -174,12 +187,7 @@ void WindowFlight::draw(Extent size) {
 
 void WindowFlight::finish(FrameGraph& graph, ImageId picture, GpuImage& target) {
     // A frame that only shows its picture again has no other images.
-    if (graph.images().size() > 1) {
-        screen_.images = {"cascades"};
-        for (FrameGraph::Image const& image : graph.images()) {
-            if (image.scale != ShowScale::encoded) screen_.images.push_back(image.name);
-        }
-    }
+    if (graph.images().size() > 1) screen_.images = shown_names(graph);
     ImageId const window = graph.import(target, "window", ShowScale::encoded, false);
     add_present(graph, picture, window, swapchain_.encodes_srgb());
     overlay_.add(graph, window, std::move(mesh_), swapchain_.encodes_srgb());
@@ -195,12 +203,22 @@ void WindowFlight::note_times() {
         if (pass.name != "sun_shadow") of_pixels += pass.gpu_ms;
     }
     if (!whole) return;
+    note_exposure();
     report_.passes = stage_.renderer().timings();
     scale_.note(of_pixels, double(report_.drawn.width) / swapchain_.extent().width);
 }
 
+/// Reading it waits for the device: seldom, as long as there is another picture anyway.
+void WindowFlight::note_exposure() {
+    if (moving_ && seconds() < exposure_noted_ + 0.2) return;
+    exposure_noted_ = seconds();
+    shader::ExposureState const exposure = stage_.renderer().exposure();
+    report_.exposure = double(exposure.stops), report_.exposure_target = double(exposure.target);
+}
+
 /// The picture in the window's full size, without the panel.
 void WindowFlight::save() {
+    stage_.renderer().pass_time(0); // as it is seen
     stage_.draw(pilot_.view(), world_, swapchain_.extent());
     try {
         message_ = "saved " + save_view(SAVED_VIEWS, pilot_.view(), stage_.renderer().picture()).string();

@@ -22,7 +22,7 @@ Counts counts_of(Scene const& scene) {
         counts.geometry_bytes += mesh.vertices.size() * sizeof(Vertex) + mesh.indices.size() * sizeof(std::uint32_t);
     }
     // A picture with its mipmaps takes a third more.
-    for (Picture const& picture : scene.pictures) counts.picture_bytes += picture.rgba.size() * 4 / 3;
+    for (Picture const& picture : scene.pictures) counts.picture_bytes += picture.bytes() * 4 / 3;
     return counts;
 }
 

@@ -12,9 +12,12 @@ constexpr double BOOST = 8;       // of the speed, with Shift
 
 void flip(bool& setting) { setting = !setting; }
 
+/// Of the fixed exposure, or what is added to the automatic one.
 void change_exposure(Settings& settings, double stops) {
-    SettingInfo const& info = *find_setting("exposure");
-    settings.exposure = std::clamp(settings.exposure + stops, info.smallest, info.largest);
+    bool const automatic = settings.auto_exposure;
+    SettingInfo const& info = *find_setting(automatic ? "exposure_compensation" : "exposure");
+    double& value = automatic ? settings.exposure_compensation : settings.exposure;
+    value = std::clamp(value + stops, info.smallest, info.largest);
 }
 
 /// The result comes first, then every image of the frame.
@@ -52,6 +55,8 @@ constexpr std::array ROWS = {
            [](KeyTarget& t, int direction, bool shift) {
                change_exposure(t.pilot.settings(), direction * (shift ? 1 : 0.25));
            }},
+    KeyRow{"0", "automatic exposure on, off", '0', 0,
+           [](KeyTarget& t, int, bool) { flip(t.pilot.settings().auto_exposure); }},
     KeyRow{"1", "air on, off", '1', 0, [](KeyTarget& t, int, bool) { flip(t.pilot.settings().air); }},
     KeyRow{"2", "light shafts on, off", '2', 0, [](KeyTarget& t, int, bool) { flip(t.pilot.settings().shafts); }},
     KeyRow{"3", "shadows on, off", '3', 0, [](KeyTarget& t, int, bool) { flip(t.pilot.settings().shadows); }},

@@ -22,7 +22,7 @@ int run(Command const& command) {
                        return 0;
                    },
                    [](FlyOptions const& o) { return fly(o); }, [](RenderOptions const& o) { return render(o); },
-                   [](ReferenceOptions const& o) { return reference(o); },
+                   [](StudioOptions const& o) { return studio(o); }, [](ReferenceOptions const& o) { return reference(o); },
                    [](TerrainCommandOptions const& o) { return terrain(o); },
                    [](BenchOptions const& o) { return bench(o); }, [](CompareOptions const& o) { return compare(o); },
                    [](EvaluateOptions const& o) { return evaluate(o); },

@@ -64,6 +64,7 @@ void show_report(PictureReport const& report, Screen& screen) {
     double sum = 0;
     for (PassTime const& pass : report.passes) sum += pass.gpu_ms;
     ImGui::Text("%.1f ms on the device, %u x %u", sum, report.drawn.width, report.drawn.height);
+    ImGui::Text("exposure %.2f stops, on its way to %.2f", report.exposure, report.exposure_target);
     ImGui::Checkbox("smaller while it moves", &screen.adapt_share);
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("draws fewer pixels while the view changes, where the device is slow");

@@ -12,6 +12,8 @@ namespace alpenglow {
 struct PictureReport {
     Extent drawn;                 ///< [pixels]
     std::vector<PassTime> passes;
+    double exposure = 0;          ///< [stops]
+    double exposure_target = 0;   ///< [stops] where it adapts to
 };
 
 /// The panel, the help and the messages over the picture, made with Dear ImGui.

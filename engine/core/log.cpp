@@ -1,5 +1,7 @@
 #include "core/log.h"
 
+#include "core/plain_text.h"
+
 #include <atomic>
 #include <cstdio>
 
@@ -9,7 +11,7 @@ namespace {
 std::atomic<bool> quiet_mode = false;
 
 void print_line(char const* prefix, std::string_view line) {
-    std::fprintf(stderr, "%s%.*s\n", prefix, static_cast<int>(line.size()), line.data());
+    std::fprintf(stderr, "%s%s\n", prefix, plain_text(line).c_str());
 }
 } // namespace
 

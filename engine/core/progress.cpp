@@ -7,8 +7,9 @@
 
 namespace alpenglow {
 
-Progress::Progress(std::string title, std::size_t steps, std::size_t begun)
-    : title_(std::move(title)), steps_(std::max<std::size_t>(steps, 1)), begun_(begun), terminal_(::isatty(STDERR_FILENO) == 1) {}
+Progress::Progress(std::string title, std::size_t steps, std::size_t begun, std::chrono::milliseconds patience)
+    : title_(std::move(title)), steps_(std::max<std::size_t>(steps, 1)), begun_(begun), patience_(patience),
+      terminal_(::isatty(STDERR_FILENO) == 1) {}
 
 Progress::~Progress() {
     if (open_line_) std::fputc('\n', stderr);
@@ -18,6 +19,7 @@ void Progress::update(std::size_t done, std::string const& note) {
     Clock::time_point const now = Clock::now();
     auto const shortest = terminal_ ? std::chrono::milliseconds(50) : std::chrono::milliseconds(5000);
     bool const last = done >= steps_;
+    if (printed_ == Clock::time_point{} && now - start_ < patience_) return;
     if (!last && printed_ != Clock::time_point{} && now - printed_ < shortest) return;
     printed_ = now;
 

@@ -10,8 +10,9 @@ namespace alpenglow {
 /// so that a log stays readable.
 class Progress {
 public:
-    /// `begun`: steps that were done before, which say nothing of the time that is left.
-    Progress(std::string title, std::size_t steps, std::size_t begun = 0);
+    /// `begun`: steps that were done before, which say nothing of the time that is left. `patience`: nothing is shown
+    /// before that time has passed, and nothing at all where everything is done by then.
+    Progress(std::string title, std::size_t steps, std::size_t begun = 0, std::chrono::milliseconds patience = {});
     ~Progress();
     Progress(Progress const&) = delete;
     Progress& operator=(Progress const&) = delete;
@@ -24,6 +25,7 @@ private:
     std::string title_;
     std::size_t steps_, begun_;
     Clock::time_point start_ = Clock::now();
+    std::chrono::milliseconds patience_;
     Clock::time_point printed_{};
     bool terminal_;
     bool open_line_ = false;

@@ -20,6 +20,7 @@ struct Settings {
     bool multiple_scattering = true; ///< light scattered more than once
     bool march_dither = false;       ///< deterministic offset of the march's samples from pixel to pixel
     bool sun_disc = true;
+    bool stars = true;
 
     // Shadows
     bool shadows = true;
@@ -29,7 +30,11 @@ struct Settings {
 
     // The picture
     double exposure = 0.0;        ///< [stops]; displayed = curve(2^exposure * radiance)
-    std::string curve = "filmic"; ///< exponential | filmic
+    bool auto_exposure = false;   ///< follows the picture's luminance in place of `exposure`
+    double exposure_compensation = 0.0; ///< [stops] more than auto_exposure finds
+    double exposure_least = -14.0, exposure_most = 20.0;          ///< [stops] bounds of auto_exposure
+    double light_adaptation = 3.0, dark_adaptation = 1.5;         ///< [stops/s] at most
+    std::string curve = "filmic"; ///< from linear light to the display: encoding/tone_curves.glsl
     bool dither = true;           ///< after the curve, before 8 bits
     int aa = 1;                   ///< supersampling: 1, 4 or 16
     std::string post_aa = "none"; ///< none | fxaa
@@ -41,13 +46,17 @@ struct Settings {
     // What a scene may ask for; beyond, it is refused
     int largest_scene_file = 4096; ///< [MiB]
     int most_json_values = 8'000'000;
+    int most_entries = 1'000'000;
+    int most_materials = 65536;
     int deepest_json = 100;
     int deepest_node = 500;
     int most_instances = 1'000'000;
     int most_vertices = 16 << 20;
     int most_indices = 192 << 20;
     int largest_picture = 16384; ///< [texels]
-    int most_pixels = 128;       ///< [Mi texels]
+    int most_triangles = 64 << 20;
+    int most_pixels = 128;          ///< [Mi texels]
+    int most_picture_memory = 4096; ///< [MiB]
 
     bool operator==(Settings const&) const = default;
 };

@@ -26,6 +26,7 @@ constexpr std::array FORMAT_NEEDS = {
     FormatNeed{VK_FORMAT_R8G8B8A8_SRGB, COLOR | FILTERED | BLIT, "sRGB colour"},
     FormatNeed{VK_FORMAT_R8G8B8A8_UNORM, VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT | COLOR | FILTERED | BLIT,
                "8-bit images for storage and as attachments"},
+    FormatNeed{VK_FORMAT_R16G16B16A16_UNORM, FILTERED | BLIT, "16-bit pictures with linear filtering"},
     FormatNeed{VK_FORMAT_D32_SFLOAT, VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT | SAMPLED, "32-bit float depth"},
 };
 

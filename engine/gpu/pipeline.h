@@ -65,7 +65,8 @@ class PipelineCache {
 public:
     explicit PipelineCache(Device const& device) : device_(device) {}
 
-    Pipeline const& compute(ShaderCode const& shader, std::vector<SlotLayout> const& slots);
+    /// `variant`: the value of the shader's specialization constant 0, where it has one. Each value is compiled by itself.
+    Pipeline const& compute(ShaderCode const& shader, std::vector<SlotLayout> const& slots, int variant = 0);
     Pipeline const& raster(RasterState const& state, std::vector<SlotLayout> const& slots);
 
 private:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cstring>
 
 namespace alpenglow {
@@ -11,35 +12,11 @@ namespace {
 constexpr ImageState READY_TO_SAMPLE{VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
                                      VK_ACCESS_2_SHADER_SAMPLED_READ_BIT};
 
-VkImageMemoryBarrier2 mip_barrier(GpuImage const& image, std::uint32_t mip, ImageState const& before,
-                                  ImageState const& next) {
-    VkImageMemoryBarrier2 barrier = image_barrier(image.handle(), image.shape().aspect(), before, next);
-    barrier.subresourceRange.baseMipLevel = mip;
-    barrier.subresourceRange.levelCount = 1;
-    return barrier;
-}
-
-VkOffset3D mip_corner(Extent extent, std::uint32_t mip) {
-    return {static_cast<std::int32_t>(std::max(extent.width >> mip, 1u)),
-            static_cast<std::int32_t>(std::max(extent.height >> mip, 1u)), 1};
-}
-
-void record_mip(VkCommandBuffer commands, GpuImage const& image, std::uint32_t mip) {
-    record_barriers(commands, {mip_barrier(image, mip - 1, TRANSFER_TARGET, TRANSFER_SOURCE)});
-    VkImageBlit blit{};
-    blit.srcSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, mip - 1, 0, 1};
-    blit.dstSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, mip, 0, 1};
-    blit.srcOffsets[1] = mip_corner(image.shape().extent, mip - 1);
-    blit.dstOffsets[1] = mip_corner(image.shape().extent, mip);
-    vkCmdBlitImage(commands, image.handle(), TRANSFER_SOURCE.layout, image.handle(), TRANSFER_TARGET.layout, 1, &blit,
-                   VK_FILTER_LINEAR);
-    record_barriers(commands, {mip_barrier(image, mip - 1, TRANSFER_SOURCE, READY_TO_SAMPLE)});
-}
-
-VkBufferImageCopy whole_image(ImageShape const& shape) {
+VkBufferImageCopy mip_copy(ImageShape const& shape, std::uint32_t mip, VkDeviceSize offset) {
     VkBufferImageCopy copy{};
-    copy.imageSubresource = {shape.aspect(), 0, 0, shape.layers};
-    copy.imageExtent = {shape.extent.width, shape.extent.height, 1};
+    copy.bufferOffset = offset;
+    copy.imageSubresource = {shape.aspect(), mip, 0, shape.layers};
+    copy.imageExtent = {std::max(shape.extent.width >> mip, 1u), std::max(shape.extent.height >> mip, 1u), 1};
     return copy;
 }
 
@@ -49,28 +26,48 @@ std::uint32_t full_mip_count(Extent extent) {
     return static_cast<std::uint32_t>(std::bit_width(std::max(extent.width, extent.height)));
 }
 
-void upload(Device const& device, GpuBuffer const& target, std::span<std::byte const> bytes) {
-    GpuBuffer const staging(device, bytes.size(), VK_BUFFER_USAGE_TRANSFER_SRC_BIT, BufferHome::host, "staging");
-    std::memcpy(staging.mapped().data(), bytes.data(), bytes.size());
-    device.run_once([&](VkCommandBuffer commands) {
+GpuBuffer const& Staging::buffer(VkDeviceSize bytes) {
+    if (buffer_ && buffer_->bytes() >= bytes) return *buffer_;
+    buffer_.reset();
+    buffer_ =
+        std::make_unique<GpuBuffer>(device_, bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, BufferHome::host, "staging");
+    return *buffer_;
+}
+
+void upload(Staging& staging, GpuBuffer const& target, std::span<std::byte const> bytes) {
+    GpuBuffer const& source = staging.buffer(bytes.size());
+    std::memcpy(source.mapped().data(), bytes.data(), bytes.size());
+    staging.device().run_once([&](VkCommandBuffer commands) {
         VkBufferCopy const copy{0, 0, bytes.size()};
-        vkCmdCopyBuffer(commands, staging.handle(), target.handle(), 1, &copy);
+        vkCmdCopyBuffer(commands, source.handle(), target.handle(), 1, &copy);
     });
 }
 
-void upload(Device const& device, GpuImage& target, std::span<std::byte const> bytes) {
-    GpuBuffer const staging(device, bytes.size(), VK_BUFFER_USAGE_TRANSFER_SRC_BIT, BufferHome::host, "staging");
-    std::memcpy(staging.mapped().data(), bytes.data(), bytes.size());
-    device.run_once([&](VkCommandBuffer commands) {
-        record_barriers(commands,
-                        {image_barrier(target.handle(), target.shape().aspect(), ImageState{}, TRANSFER_TARGET)});
-        VkBufferImageCopy const copy = whole_image(target.shape());
-        vkCmdCopyBufferToImage(commands, staging.handle(), target.handle(), TRANSFER_TARGET.layout, 1, &copy);
-        std::uint32_t const mips = target.shape().mips;
-        for (std::uint32_t mip = 1; mip < mips; ++mip) record_mip(commands, target, mip);
-        record_barriers(commands, {mip_barrier(target, mips - 1, TRANSFER_TARGET, READY_TO_SAMPLE)});
+void upload(Staging& staging, GpuImage& target, std::span<std::span<std::byte const> const> mips) {
+    assert(mips.size() == target.shape().mips);
+    std::size_t bytes = 0;
+    for (std::span<std::byte const> const mip : mips) bytes += mip.size();
+    GpuBuffer const& source = staging.buffer(bytes);
+    std::vector<VkBufferImageCopy> copies;
+    std::size_t offset = 0;
+    for (std::span<std::byte const> const mip : mips) {
+        std::memcpy(source.mapped().data() + offset, mip.data(), mip.size());
+        copies.push_back(mip_copy(target.shape(), static_cast<std::uint32_t>(copies.size()), offset));
+        offset += mip.size();
+    }
+    staging.device().run_once([&](VkCommandBuffer commands) {
+        VkImageAspectFlags const aspect = target.shape().aspect();
+        record_barriers(commands, {image_barrier(target.handle(), aspect, ImageState{}, TRANSFER_TARGET)});
+        vkCmdCopyBufferToImage(commands, source.handle(), target.handle(), TRANSFER_TARGET.layout,
+                               static_cast<std::uint32_t>(copies.size()), copies.data());
+        record_barriers(commands, {image_barrier(target.handle(), aspect, TRANSFER_TARGET, READY_TO_SAMPLE)});
     });
     target.state = READY_TO_SAMPLE;
+}
+
+void upload(Device const& device, GpuImage& target, std::span<std::byte const> bytes) {
+    Staging staging(device);
+    upload(staging, target, std::span(&bytes, 1));
 }
 
 std::vector<std::byte> read_back(Device const& device, GpuImage& source) {
@@ -78,7 +75,7 @@ std::vector<std::byte> read_back(Device const& device, GpuImage& source) {
     GpuBuffer const buffer(device, shape.bytes(), VK_BUFFER_USAGE_TRANSFER_DST_BIT, BufferHome::host, "readback");
     device.run_once([&](VkCommandBuffer commands) {
         record_barriers(commands, {image_barrier(source.handle(), shape.aspect(), source.state, TRANSFER_SOURCE)});
-        VkBufferImageCopy const copy = whole_image(shape);
+        VkBufferImageCopy const copy = mip_copy(shape, 0, 0);
         vkCmdCopyImageToBuffer(commands, source.handle(), TRANSFER_SOURCE.layout, buffer.handle(), 1, &copy);
     });
     source.state = TRANSFER_SOURCE;

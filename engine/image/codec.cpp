@@ -25,6 +25,15 @@ unsigned char* compress_for_stb(unsigned char* data, int size, int* compressed_s
     return bytes;
 }
 
+/// [bytes] that stb may take at once on this thread: a picture's header says how many there can be to decode, whatever
+/// the bytes behind it would unpack to.
+thread_local std::size_t most_stb_bytes = std::numeric_limits<std::size_t>::max();
+
+void* allocate_for_stb(std::size_t size) { return size <= most_stb_bytes ? std::malloc(size) : nullptr; }
+void* reallocate_for_stb(void* bytes, std::size_t size) {
+    return size <= most_stb_bytes ? std::realloc(bytes, size) : nullptr;
+}
+
 } // namespace
 
 #pragma GCC diagnostic push
@@ -39,6 +48,9 @@ unsigned char* compress_for_stb(unsigned char* data, int size, int* compressed_s
 #define STBI_ONLY_JPEG
 #define STBI_NO_STDIO
 #define STBI_MAX_DIMENSIONS 32768
+#define STBI_MALLOC allocate_for_stb
+#define STBI_REALLOC reallocate_for_stb
+#define STBI_FREE std::free
 #include <stb/stb_image.h>
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #define STB_IMAGE_WRITE_STATIC
@@ -61,8 +73,40 @@ int length_of(std::span<std::byte const> bytes) {
 }
 
 [[noreturn]] void fail() {
-    char const* const reason = stbi_failure_reason();
-    throw Error(ErrorKind::bad_input, std::string("picture can't be decoded: ") + (reason ? reason : "unknown format"));
+    char const* const given = stbi_failure_reason();
+    std::string const reason = given ? given : "unknown format";
+    throw Error(ErrorKind::bad_input, "picture can't be decoded: " +
+                                          (reason == "outofmem" ? "it unpacks to more than its header says" : reason));
+}
+
+/// Bounds what stb takes while it decodes `bytes`.
+class StbMemory {
+public:
+    explicit StbMemory(std::span<std::byte const> bytes) {
+        Extent const extent = read_picture_header(bytes).extent;
+        // 16-bit RGBA, padded to JPEG's blocks of up to 32 texels, and twice that for a buffer that grows by doubling;
+        // or the file's own compressed bytes, gathered the same way.
+        std::size_t const texels = std::size_t{extent.width + 32} * (extent.height + 32);
+        most_stb_bytes = std::max(2 * 8 * texels, 2 * bytes.size()) + fixed;
+    }
+    ~StbMemory() { most_stb_bytes = std::numeric_limits<std::size_t>::max(); }
+    StbMemory(StbMemory const&) = delete;
+    StbMemory& operator=(StbMemory const&) = delete;
+
+private:
+    static constexpr std::size_t fixed = 1 << 20; ///< stb's own tables
+};
+
+/// A progressive JPEG goes over the whole picture once for each scan; a few bytes suffice for one.
+void check_scans(std::span<std::byte const> bytes) {
+    constexpr int most = 256; // encoders write about ten
+    constexpr std::byte marker{0xFF}, scan{0xDA};
+    if (bytes.size() < 2 || bytes[0] != marker || bytes[1] != std::byte{0xD8}) return;
+    int scans = 0;
+    for (std::size_t i = 0; i + 1 < bytes.size(); ++i) scans += bytes[i] == marker && bytes[i + 1] == scan;
+    if (scans > most)
+        throw Error(ErrorKind::bad_input, "picture can't be decoded: JPEG of " + std::to_string(scans) + " scans, " +
+                                              std::to_string(most) + " are read");
 }
 
 void append(void* context, void* data, int size) {
@@ -118,11 +162,24 @@ PictureHeader read_picture_header(std::span<std::byte const> bytes) {
 
 ByteImage decode_picture(std::span<std::byte const> bytes) {
     if (is_webp(bytes)) return decode_webp(bytes);
+    check_scans(bytes);
+    StbMemory const bound(bytes);
     int width = 0, height = 0, channels = 0;
     std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> const pixels(
         stbi_load_from_memory(data_of(bytes), length_of(bytes), &width, &height, &channels, 4), stbi_image_free);
     if (!pixels) fail();
-    ByteImage image({static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)});
+    ByteImage image;
+    image.extent = {static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
+    image.rgba.assign(pixels.get(), pixels.get() + image.extent.pixels() * 4);
+    return image;
+}
+
+DeepImage decode_deep_picture(std::span<std::byte const> bytes) {
+    int width = 0, height = 0, channels = 0;
+    std::unique_ptr<stbi_us, decltype(&stbi_image_free)> const pixels(
+        stbi_load_16_from_memory(data_of(bytes), length_of(bytes), &width, &height, &channels, 4), stbi_image_free);
+    if (!pixels) fail();
+    DeepImage image({static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)});
     std::copy_n(pixels.get(), image.rgba.size(), image.rgba.data());
     return image;
 }

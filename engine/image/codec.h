@@ -25,6 +25,8 @@ PictureHeader read_picture_header(std::span<std::byte const> bytes);
 
 /// Decodes a PNG, JPEG or WebP to 8-bit RGBA as stored (no colour conversion). Throws Error(bad_input).
 ByteImage decode_picture(std::span<std::byte const> bytes);
+/// The same with 16 bits a channel, for a PNG whose header says so. Throws Error(bad_input).
+DeepImage decode_deep_picture(std::span<std::byte const> bytes);
 ByteImage read_picture(std::filesystem::path const& path);
 
 } // namespace alpenglow

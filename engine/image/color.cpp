@@ -1,19 +1,24 @@
 #include "image/color.h"
 
-#include <array>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 namespace alpenglow {
 
 namespace {
 
-std::uint8_t byte_from_unit(float value) {
-    return value > 0 ? static_cast<std::uint8_t>(std::lround(255 * std::fmin(value, 1.0f))) : std::uint8_t{0};
+template <class Value> Value stored_from_unit(float value) {
+    constexpr float greatest = std::numeric_limits<Value>::max();
+    return value > 0 ? static_cast<Value>(std::lround(greatest * std::fmin(value, 1.0f))) : Value{0};
 }
 
-std::array<float, 256> make_decoding_table() {
-    std::array<float, 256> table{};
-    for (std::size_t i = 0; i < table.size(); ++i) table[i] = linear_from_srgb(static_cast<float>(i) / 255);
+/// Of every value that a channel can have.
+template <class Value> std::vector<float> make_decoding_table() {
+    constexpr std::size_t greatest = std::numeric_limits<Value>::max();
+    std::vector<float> table(greatest + 1);
+    for (std::size_t i = 0; i <= greatest; ++i)
+        table[i] = linear_from_srgb(static_cast<float>(i) / static_cast<float>(greatest));
     return table;
 }
 
@@ -28,11 +33,18 @@ float linear_from_srgb(float encoded) {
 }
 
 float linear_from_srgb_byte(std::uint8_t encoded) {
-    static std::array<float, 256> const table = make_decoding_table();
+    static std::vector<float> const table = make_decoding_table<std::uint8_t>();
     return table[encoded];
 }
 
-std::uint8_t srgb_byte_from_linear(float linear) { return byte_from_unit(srgb_from_linear(linear)); }
+std::uint8_t srgb_byte_from_linear(float linear) { return stored_from_unit<std::uint8_t>(srgb_from_linear(linear)); }
+
+float linear_from_srgb_word(std::uint16_t encoded) {
+    static std::vector<float> const table = make_decoding_table<std::uint16_t>();
+    return table[encoded];
+}
+
+std::uint16_t srgb_word_from_linear(float linear) { return stored_from_unit<std::uint16_t>(srgb_from_linear(linear)); }
 
 FloatImage exponential_display(FloatImage const& radiance, double exposure) {
     auto const gain = static_cast<float>(std::exp2(exposure));
@@ -55,7 +67,8 @@ FloatImage linear_from_srgb(ByteImage const& image) {
 ByteImage srgb_from_linear(FloatImage const& image) {
     ByteImage result(image.extent);
     for (std::size_t i = 0; i < image.rgba.size(); ++i) {
-        result.rgba[i] = i % 4 == 3 ? byte_from_unit(image.rgba[i]) : srgb_byte_from_linear(image.rgba[i]);
+        float const value = image.rgba[i];
+        result.rgba[i] = i % 4 == 3 ? stored_from_unit<std::uint8_t>(value) : srgb_byte_from_linear(value);
     }
     return result;
 }

@@ -13,6 +13,9 @@ float linear_from_srgb(float encoded);
 /// The same for bytes: by table, and rounded to nearest with values outside 0..1 (and NaN, as 0) clamped.
 float linear_from_srgb_byte(std::uint8_t encoded);
 std::uint8_t srgb_byte_from_linear(float linear);
+/// The same for 16 bits.
+float linear_from_srgb_word(std::uint16_t encoded);
+std::uint16_t srgb_word_from_linear(float linear);
 
 /// Relative luminance of linear Rec.709 (ITU-R BT.709-6, section 3.2).
 constexpr float luminance(float red, float green, float blue) {

@@ -29,4 +29,16 @@ struct ByteImage {
     }
 };
 
+/// Sixteen bits a channel (RGBA), row by row from the top left; encoded as its file has it.
+struct DeepImage {
+    Extent extent;
+    std::vector<std::uint16_t> rgba;
+
+    explicit DeepImage(Extent e = {}) : extent(e), rgba(e.pixels() * 4) {}
+    std::uint16_t* at(std::uint32_t x, std::uint32_t y) { return &rgba[(std::size_t{y} * extent.width + x) * 4]; }
+    std::uint16_t const* at(std::uint32_t x, std::uint32_t y) const {
+        return &rgba[(std::size_t{y} * extent.width + x) * 4];
+    }
+};
+
 } // namespace alpenglow

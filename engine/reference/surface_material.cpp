@@ -30,12 +30,20 @@ std::int64_t wrapped(std::int64_t i, std::int64_t size, TextureWrap wrap) {
     return within < size ? within : period - 1 - within;
 }
 
+double channel(Picture const& picture, std::size_t index, bool srgb) {
+    if (picture.deep()) {
+        double const stored = picture.rgba16[index] / 65535.0;
+        return srgb ? linear_from_srgb(stored) : stored;
+    }
+    return srgb ? linear_from_byte()[picture.rgba[index]] : picture.rgba[index] / 255.0;
+}
+
 glm::dvec4 texel(Picture const& picture, Texture const& texture, glm::i64vec2 const& at, bool srgb) {
     std::int64_t const x = wrapped(at.x, picture.width, texture.wrap_u);
     std::int64_t const y = wrapped(at.y, picture.height, texture.wrap_v);
-    std::uint8_t const* const bytes = &picture.rgba[static_cast<std::size_t>(4 * (y * picture.width + x))];
+    auto const first = static_cast<std::size_t>(4 * (y * picture.width + x));
     glm::dvec4 value;
-    for (int i = 0; i < 4; ++i) value[i] = srgb && i < 3 ? linear_from_byte()[bytes[i]] : bytes[i] / 255.0;
+    for (int i = 0; i < 4; ++i) value[i] = channel(picture, first + static_cast<std::size_t>(i), srgb && i < 3);
     return value;
 }
 
@@ -54,6 +62,15 @@ glm::dvec2 uv_at(Texture const& texture, TrianglePlace const& place) {
 glm::dvec4 base_color_at(Scene const& scene, Material const& material, TrianglePlace const& place) {
     return glm::dvec4(material.base_color) * place.mixed(&Vertex::color) *
            sample_texture(scene, material.base_color_texture, place, true);
+}
+
+/// Of a dielectric at normal incidence.
+double reflectance_at(Scene const& scene, Material const& material, TrianglePlace const& place) {
+    double share = 1;
+    if (material.reflectance_texture)
+        share = glm::dot(glm::dvec3(material.reflectance_shares),
+                         glm::dvec3(sample_texture(scene, material.reflectance_texture, place, true)));
+    return std::min(material.reflectance * share, double{Material::largest_reflectance});
 }
 
 /// `v` as a unit vector, or `otherwise` where it has no direction.
@@ -105,7 +122,7 @@ glm::dmat3 frame_from_tangent(glm::dvec4 const& tangent, glm::dmat3 const& world
 glm::dvec4 sample_texture(Scene const& scene, Texture const& texture, TrianglePlace const& place, bool srgb) {
     if (!texture) return glm::dvec4(1);
     Picture const& picture = scene.pictures[texture.picture];
-    if (picture.rgba.empty()) return glm::dvec4(1);
+    if (picture.bytes() == 0) return glm::dvec4(1);
     glm::dvec2 const at = texels_from_uv(picture, uv_at(texture, place));
     if (texture.magnify == TextureFilter::nearest) return texel(picture, texture, glm::i64vec2(glm::floor(at)), srgb);
     glm::dvec2 const corner = glm::floor(at - 0.5), share = at - 0.5 - corner;
@@ -125,8 +142,9 @@ GroundSurface surface_at(Scene const& scene, Material const& material, TriangleP
     glm::dvec4 const texture = sample_texture(scene, material.metallic_roughness_texture, place, false);
     double const metalness = std::clamp(material.metallic * texture.b, 0.0, 1.0);
     double const roughness = std::clamp(material.roughness * texture.g, 0.0, 1.0);
-    double const gloss = glm::mix<double>(material.specular, 1, metalness);
-    return make_ground_surface(color, metalness, roughness, gloss, material.reflectance);
+    double const specular = material.specular * sample_texture(scene, material.specular_texture, place, false).a;
+    double const gloss = glm::mix<double>(specular, 1, metalness);
+    return make_ground_surface(color, metalness, roughness, gloss, reflectance_at(scene, material, place));
 }
 
 glm::dvec3 emission_at(Scene const& scene, Material const& material, TrianglePlace const& place) {

@@ -3,6 +3,7 @@
 #include "render/passes/accumulate.h"
 #include "render/passes/air_tables.h"
 #include "render/passes/display.h"
+#include "render/passes/exposure.h"
 #include "render/passes/gbuffer.h"
 #include "render/passes/lighting.h"
 #include "render/passes/post_aa.h"
@@ -14,6 +15,7 @@ namespace alpenglow {
 void build_frame(FrameGraph& graph, FrameInputs const& in) {
     ImageId const mean = graph.import(in.mean, "radiance", ShowScale::radiance, false);
     ImageId const picture = graph.import(in.picture, "picture", ShowScale::encoded, false);
+    ImageId const exposure = graph.import(in.exposure, "exposure", ShowScale::number, true);
     ConstantsId frame = graph.add_constants(in.constants.front());
 
     AirTables const air = add_air_tables(graph, in, frame);
@@ -23,14 +25,15 @@ void build_frame(FrameGraph& graph, FrameInputs const& in) {
         if (sample > 0) frame = graph.add_constants(in.constants[static_cast<std::size_t>(sample)]);
         GBuffer const gbuffer = add_gbuffer(graph, in, frame, sample);
         ImageId const lit = add_lighting(graph, in, frame, gbuffer, shadow, air, sample);
-        toned = add_accumulate(graph, lit, mean, in.settings, sample);
+        if (sample == 0) add_exposure(graph, lit, exposure, in.settings, in.seconds);
+        toned = add_accumulate(graph, lit, mean, exposure, in.settings, sample);
     }
     if (!in.settings.show.empty()) {
-        add_show(graph, in.settings, picture);
+        add_show(graph, in.settings, exposure, picture);
     } else if (in.settings.post_aa == "fxaa") {
-        add_post_aa(graph, add_display(graph, toned, DisplaySource::toned, in.settings), picture);
+        add_post_aa(graph, add_display(graph, toned, in.settings), picture);
     } else {
-        add_display_to(graph, toned, DisplaySource::toned, in.settings, picture);
+        add_display_to(graph, toned, in.settings, picture);
     }
 }
 

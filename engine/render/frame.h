@@ -32,6 +32,8 @@ struct FrameInputs {
     GpuImage& transmittance;
     GpuImage& multiple_scattering;
     bool air_is_stale = true;
+    GpuImage& exposure;                ///< one texel: interop/exposure.h
+    double seconds;                    ///< since the picture before, by which exposure adapts; ADAPTED_AT_ONCE
     GpuImage& mean;                    ///< radiance, the mean of the supersamples
     GpuImage& picture;                 ///< display-ready, 8 bits
 };

@@ -4,6 +4,7 @@
 #include "render/phase_moments.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace alpenglow {
@@ -59,6 +60,8 @@ int flags_of(World const& world, Settings const& settings, bool cascades) {
     set(settings.multiple_scattering, FRAME_MULTIPLE_SCATTERING);
     set(settings.march_dither, FRAME_MARCH_DITHER);
     set(settings.sun_disc, FRAME_SUN_DISC);
+    set(world.studio.has_value(), FRAME_STUDIO);
+    set(settings.stars, FRAME_STARS);
     set(world.planet.look == GroundLook::procedural, FRAME_PROCEDURAL_GROUND);
     return flags;
 }
@@ -80,7 +83,11 @@ glm::dvec2 supersample_offset(int index, int count) {
     return glm::dvec2(a + (b + 0.5) / side, b + (side - 1 - a + 0.5) / side) / static_cast<double>(side) - 0.5;
 }
 
-int curve_index(std::string_view name) { return name == "exponential" ? CURVE_EXPONENTIAL : CURVE_FILMIC; }
+int curve_index(std::string_view name) {
+    constexpr std::array<std::string_view, CURVE_COUNT> NAMES{"filmic", "exponential", "reinhard", "aces",
+                                                             "lottes", "uchimura",    "agx",         "linear"};
+    return static_cast<int>(std::ranges::find(NAMES, name) - NAMES.begin());
+}
 
 shader::Atmosphere atmosphere_of(Planet const& planet) {
     Air const& air = planet.air;
@@ -130,6 +137,7 @@ shader::FrameConstants make_frame_constants(World const& world, Settings const& 
     frame.camera_in_period = glm::vec3(glm::mod(camera.position, glm::dvec3(GROUND_PERIOD)));
     frame.to_sun = glm::vec3(world.to_sun);
     frame.ground_tint = glm::vec3(world.planet.ground_albedo);
+    if (world.studio) frame.fill = glm::vec3(world.studio->fill), frame.backdrop = glm::vec3(world.studio->backdrop);
     frame.pixel_angle = static_cast<float>(2.0 * ty / size.y);
     frame.flags = flags_of(world, settings, !shadow.cascades.empty());
     frame.samples = settings.samples;

@@ -23,4 +23,7 @@ shader::Atmosphere atmosphere_of(Planet const& planet);
 shader::FrameConstants make_frame_constants(World const& world, Settings const& settings, Extent extent,
                                             ShadowFit const& shadow, double ceiling, int sample_index);
 
+/// The name under which `show` knows the picture of which cascade shades what.
+inline constexpr char const* SHOW_CASCADES = "cascades";
+
 } // namespace alpenglow

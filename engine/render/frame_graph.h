@@ -25,6 +25,7 @@ enum class ShowScale {
     shadow,   ///< 0 to 1, layers side by side
     optical_depth, ///< as transmittance
     logarithm,     ///< of 32nd roots, 1e-6 to 1
+    number,        ///< no picture; not shown
 };
 
 /// Bytes that the CPU writes for a frame, bound as a uniform buffer in scalar layout.
@@ -75,6 +76,7 @@ struct ComputePass {
     std::vector<Slot> slots;
     Extent threads;
     std::vector<std::byte> push = {}; ///< push constants, at most PUSH_CONSTANT_BYTES
+    int variant = 0;                  ///< specialization constant 0, where the shader has one
 };
 
 /// What a raster pass draws with.

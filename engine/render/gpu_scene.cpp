@@ -65,8 +65,10 @@ shader::MeshDraw make_mesh_draw(glm::dmat4 const& world_from_mesh, glm::dmat4 co
 
 GpuScene::GpuScene(Device const& device, Scene const& scene, Placement const& placement, double planet_radius)
     : device_(device), world_from_scene_(alpenglow::world_from_scene(placement, planet_radius)),
-      planet_radius_(planet_radius), bounds_(scene.bounds), materials_(std::make_unique<MaterialSets>(device, scene)) {
-    upload_meshes(scene);
+      planet_radius_(planet_radius), bounds_(scene.bounds) {
+    Staging staging(device);
+    materials_ = std::make_unique<MaterialSets>(staging, scene);
+    upload_meshes(staging, scene);
     add_items(scene);
 }
 
@@ -81,9 +83,13 @@ VertexLayout GpuScene::vertex_layout() {
              {VERTEX_COLOR, 0, VK_FORMAT_R16G16B16A16_UNORM, offsetof(PackedVertex, color)}}};
 }
 
-void GpuScene::upload_meshes(Scene const& scene) {
+void GpuScene::upload_meshes(Staging& staging, Scene const& scene) {
+    std::size_t vertex_count = 0, index_count = 0;
+    for (Mesh const& mesh : scene.meshes) vertex_count += mesh.vertices.size(), index_count += mesh.indices.size();
     std::vector<PackedVertex> vertices;
     std::vector<std::uint32_t> indices;
+    vertices.reserve(vertex_count);
+    indices.reserve(index_count);
     for (Mesh const& mesh : scene.meshes) {
         vertex_offsets_.push_back(static_cast<std::int32_t>(vertices.size()));
         index_offsets_.push_back(static_cast<std::uint32_t>(indices.size()));
@@ -94,7 +100,7 @@ void GpuScene::upload_meshes(Scene const& scene) {
         std::span const bytes = std::as_bytes(std::span(data));
         auto buffer = std::make_unique<GpuBuffer>(device_, std::max<std::size_t>(bytes.size(), 4),
                                                   usage | VK_BUFFER_USAGE_TRANSFER_DST_BIT, BufferHome::device, name);
-        if (!bytes.empty()) upload(device_, *buffer, bytes);
+        if (!bytes.empty()) upload(staging, *buffer, bytes);
         return buffer;
     };
     vertices_ = make(vertices, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, "vertices");

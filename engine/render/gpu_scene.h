@@ -57,9 +57,8 @@ private:
         glm::dmat4 world_from_mesh, mesh_from_world;
         bool mirrored = false;
     };
-    void upload_meshes(Scene const& scene);
+    void upload_meshes(Staging& staging, Scene const& scene);
     void add_items(Scene const& scene);
-    void make_materials(Scene const& scene);
 
     Device const& device_;
     glm::dmat4 world_from_scene_;

@@ -1,12 +1,16 @@
 #include "render/material_sets.h"
 
 #include "gpu/transfer.h"
+#include "image/color.h"
+#include "image/mipmaps.h"
 #include "interop/gbuffer.h"
 #include "surface/brdf.glsl"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
+#include <span>
 
 namespace alpenglow {
 
@@ -19,10 +23,13 @@ static_assert(Material::largest_reflectance == LARGEST_REFLECTANCE);
 /// The textures of a material in the order of their slots.
 std::array<Texture const*, MATERIAL_TEXTURES> textures_of(Material const& material) {
     return {&material.base_color_texture, &material.metallic_roughness_texture, &material.normal_texture,
-            &material.occlusion_texture, &material.emission_texture};
+            &material.occlusion_texture,  &material.emission_texture,           &material.specular_texture,
+            &material.reflectance_texture};
 }
 
-constexpr bool is_color(int slot) { return slot == MATERIAL_BASE_COLOR_SLOT || slot == MATERIAL_EMISSION_SLOT; }
+constexpr bool is_color(int slot) {
+    return slot == MATERIAL_BASE_COLOR_SLOT || slot == MATERIAL_EMISSION_SLOT || slot == MATERIAL_REFLECTANCE_SLOT;
+}
 
 shader::MaterialConstants constants_of(Material const& material) {
     shader::MaterialConstants constants{};
@@ -35,9 +42,11 @@ shader::MaterialConstants constants_of(Material const& material) {
     constants.alpha_cutoff = material.alpha_cutoff;
     constants.flags = (material.alpha_mask ? MATERIAL_ALPHA_MASK : 0) |
                       (material.double_sided ? MATERIAL_DOUBLE_SIDED : 0) |
-                      (material.normal_texture ? MATERIAL_NORMAL_MAP : 0) | (material.unlit ? MATERIAL_UNLIT : 0);
+                      (material.normal_texture ? MATERIAL_NORMAL_MAP : 0) | (material.unlit ? MATERIAL_UNLIT : 0) |
+                      (material.specular_texture || material.reflectance_texture ? MATERIAL_SPECULAR_MAPS : 0);
     constants.specular = material.specular;
     constants.reflectance = material.reflectance;
+    constants.reflectance_shares = material.reflectance_shares;
     auto const textures = textures_of(material);
     for (std::size_t i = 0; i < textures.size(); ++i) {
         constants.uv_sets |= textures[i]->uv_set << i;
@@ -69,26 +78,47 @@ SamplerState sampler_state(Texture const& texture) {
     return state;
 }
 
-std::unique_ptr<GpuImage> make_picture(Device const& device, Extent extent, bool srgb,
-                                       std::span<std::uint8_t const> rgba, std::string const& name) {
-    ImageShape const shape{srgb ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM, extent, 1,
-                           full_mip_count(extent)};
-    auto image = std::make_unique<GpuImage>(
-        device, shape, VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
-        name);
-    upload(device, *image, std::as_bytes(rgba));
+/// Mips are made here and not by the device: the same texels everywhere, and on a software device in a third of the time.
+template <class Value>
+std::unique_ptr<GpuImage> make_image(Staging& staging, Extent extent, VkFormat format, std::span<Value const> rgba,
+                                     bool srgb, std::string const& name) {
+    auto image = std::make_unique<GpuImage>(staging.device(), ImageShape{format, extent, 1, full_mip_count(extent)},
+                                            VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT, name);
+    auto const levels = mip_levels(extent, rgba, srgb);
+    std::vector<std::span<std::byte const>> mips{std::as_bytes(rgba)};
+    for (auto const& level : levels) mips.push_back(std::as_bytes(std::span(level.rgba)));
+    upload(staging, *image, mips);
     return image;
+}
+
+/// Vulkan has no sRGB format of 16 bits, so that such colours are stored as light: steps of 1/65535 are a twentieth of
+/// the smallest step of 8-bit sRGB. Half floats would have steps of 1/2048 near white.
+std::vector<std::uint16_t> linear_words(std::span<std::uint16_t const> rgba) {
+    std::vector<std::uint16_t> linear(rgba.begin(), rgba.end());
+    for (std::size_t i = 0; i < linear.size(); ++i)
+        if (i % 4 != 3) linear[i] = static_cast<std::uint16_t>(std::lround(65535 * linear_from_srgb_word(rgba[i])));
+    return linear;
+}
+
+std::unique_ptr<GpuImage> make_picture(Staging& staging, Picture const& source, bool srgb) {
+    Extent const extent{source.width, source.height};
+    if (!source.deep())
+        return make_image(staging, extent, srgb ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM,
+                          std::span(source.rgba), srgb, source.name);
+    std::vector<std::uint16_t> const linear = srgb ? linear_words(source.rgba16) : std::vector<std::uint16_t>{};
+    return make_image(staging, extent, VK_FORMAT_R16G16B16A16_UNORM, std::span(srgb ? linear : source.rgba16), false,
+                      source.name);
 }
 
 } // namespace
 
-MaterialSets::MaterialSets(Device const& device, Scene const& scene) : device_(device), samplers_(device) {
-    constexpr std::array<std::uint8_t, 4> white = {255, 255, 255, 255};
-    white_ = make_picture(device, {1, 1}, false, white, "white");
+MaterialSets::MaterialSets(Staging& staging, Scene const& scene)
+    : device_(staging.device()), samplers_(staging.device()) {
+    white_ = make_picture(staging, {"white", 1, 1, {255, 255, 255, 255}}, false);
     make_layout();
     make_pool(static_cast<std::uint32_t>(scene.materials.size()));
     upload_constants(scene);
-    for (std::size_t i = 0; i < scene.materials.size(); ++i) write_set(scene, i);
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) write_set(staging, scene, i);
 }
 
 MaterialSets::~MaterialSets() {
@@ -136,20 +166,20 @@ void MaterialSets::upload_constants(Scene const& scene) {
     }
 }
 
-GpuImage& MaterialSets::picture(Scene const& scene, std::uint32_t index, bool srgb) {
+GpuImage& MaterialSets::picture(Staging& staging, Scene const& scene, std::uint32_t index, bool srgb) {
     std::unique_ptr<GpuImage>& image = pictures_[{index, srgb}];
-    Picture const& source = scene.pictures[index];
-    if (!image) image = make_picture(device_, {source.width, source.height}, srgb, source.rgba, source.name);
+    if (!image) image = make_picture(staging, scene.pictures[index], srgb);
     return *image;
 }
 
-VkDescriptorImageInfo MaterialSets::texture(Scene const& scene, Texture const& texture, bool srgb) {
-    GpuImage const& image = texture ? picture(scene, texture.picture, srgb) : *white_;
+VkDescriptorImageInfo MaterialSets::texture(Staging& staging, Scene const& scene, Texture const& texture,
+                                            bool srgb) {
+    GpuImage const& image = texture ? picture(staging, scene, texture.picture, srgb) : *white_;
     return {samplers_.get(texture ? sampler_state(texture) : LINEAR_CLAMP), image.view(),
             VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
 }
 
-void MaterialSets::write_set(Scene const& scene, std::size_t index) {
+void MaterialSets::write_set(Staging& staging, Scene const& scene, std::size_t index) {
     Material const& material = scene.materials[index];
     Entry& entry = entries_.emplace_back();
     entry.double_sided = material.double_sided;
@@ -174,7 +204,7 @@ void MaterialSets::write_set(Scene const& scene, std::size_t index) {
     writes.push_back(write);
     auto const textures = textures_of(material);
     for (std::uint32_t i = 0; i < MATERIAL_TEXTURES; ++i) {
-        images[i] = texture(scene, *textures[i], is_color(static_cast<int>(MATERIAL_BASE_COLOR_SLOT + i)));
+        images[i] = texture(staging, scene, *textures[i], is_color(static_cast<int>(MATERIAL_BASE_COLOR_SLOT + i)));
         write.dstBinding = MATERIAL_BASE_COLOR_SLOT + i;
         write.descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
         write.pImageInfo = &images[i];

@@ -3,6 +3,7 @@
 #include "gpu/buffer.h"
 #include "gpu/image.h"
 #include "gpu/samplers.h"
+#include "gpu/transfer.h"
 #include "scene/scene.h"
 
 #include <map>
@@ -13,7 +14,8 @@ namespace alpenglow {
 /// The materials of a scene on the device: textures, constants, and a descriptor set (set 1 of mesh draws) for each.
 class MaterialSets {
 public:
-    MaterialSets(Device const& device, Scene const& scene);
+    /// `staging` is used while this is made.
+    MaterialSets(Staging& staging, Scene const& scene);
     ~MaterialSets();
     MaterialSets(MaterialSets const&) = delete;
     MaterialSets& operator=(MaterialSets const&) = delete;
@@ -29,9 +31,9 @@ private:
     void make_layout();
     void make_pool(std::uint32_t materials);
     void upload_constants(Scene const& scene);
-    void write_set(Scene const& scene, std::size_t material);
-    GpuImage& picture(Scene const& scene, std::uint32_t index, bool srgb);
-    VkDescriptorImageInfo texture(Scene const& scene, Texture const& texture, bool srgb);
+    void write_set(Staging& staging, Scene const& scene, std::size_t material);
+    GpuImage& picture(Staging& staging, Scene const& scene, std::uint32_t index, bool srgb);
+    VkDescriptorImageInfo texture(Staging& staging, Scene const& scene, Texture const& texture, bool srgb);
 
     Device const& device_;
     SamplerCache samplers_;

@@ -2,8 +2,10 @@
 
 #include "gpu/transfer.h"
 #include "render/frame_constants.h"
+#include "render/passes/exposure.h"
 
 #include <cstring>
+#include <utility>
 
 namespace alpenglow {
 
@@ -30,7 +32,11 @@ Renderer::Renderer(Device const& device, std::uint32_t frames_in_flight)
     : device_(device), executor_(device, frames_in_flight),
       transmittance_(device, table_shape(TRANSMITTANCE_WIDTH, TRANSMITTANCE_HEIGHT), KEPT, "transmittance"),
       multiple_scattering_(device, table_shape(MULTIPLE_SCATTERING_WIDTH, LIGHT_TILES * MULTIPLE_SCATTERING_HEIGHT), KEPT,
-                           "multiple_scattering") {}
+                           "multiple_scattering"),
+      exposure_(device, table_shape(1, 1), KEPT | VK_IMAGE_USAGE_TRANSFER_DST_BIT, "exposure"),
+      seconds_(ADAPTED_AT_ONCE) {
+    upload(device, exposure_, bytes_of(shader::ExposureState{1, 0, 0, 0}));
+}
 
 Renderer::~Renderer() { vkDeviceWaitIdle(device_.handle()); }
 
@@ -76,6 +82,8 @@ void Renderer::draw(World const& world, Settings const& settings, Extent extent,
                              transmittance_,
                              multiple_scattering_,
                              air_changed(world.planet),
+                             exposure_,
+                             std::exchange(seconds_, ADAPTED_AT_ONCE),
                              *mean_,
                              *picture_};
     FrameGraph graph;
@@ -104,6 +112,13 @@ FloatImage Renderer::radiance() {
     std::vector<std::byte> const bytes = read_back(device_, *mean_);
     std::memcpy(image.rgba.data(), bytes.data(), bytes.size());
     return image;
+}
+
+shader::ExposureState Renderer::exposure() {
+    executor_.wait();
+    shader::ExposureState state{};
+    std::memcpy(&state, read_back(device_, exposure_).data(), sizeof state);
+    return state;
 }
 
 GpuImage* Renderer::kept_image(std::string const& name) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "image/image.h"
+#include "interop/exposure.h"
 #include "render/executor.h"
 #include "render/frame.h"
 
@@ -31,6 +32,12 @@ public:
     void finish_again(Finish const& finish, PresentSync const& sync);
     void wait() { executor_.wait(); }
 
+    /// Lets the next picture's automatic exposure go on from that of the picture before, `seconds` ago. A picture before
+    /// which nobody says so is adapted at once.
+    void pass_time(double seconds) { seconds_ = seconds; }
+    /// Of the last picture; waits for it.
+    shader::ExposureState exposure();
+
     ByteImage picture();
     FloatImage radiance();
     std::vector<PassTime> const& timings() const { return executor_.timings(); }
@@ -45,8 +52,9 @@ private:
     Device const& device_;
     Executor executor_;
     std::unique_ptr<GpuScene> scene_;
-    GpuImage transmittance_, multiple_scattering_;
+    GpuImage transmittance_, multiple_scattering_, exposure_;
     std::unique_ptr<GpuImage> mean_, picture_;
+    double seconds_; ///< since the picture before
     std::optional<shader::Atmosphere> table_air_; ///< what the tables were made for
 };
 

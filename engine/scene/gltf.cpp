@@ -3,6 +3,7 @@
 #include "scene/gltf_accessor.h"
 #include "scene/gltf_contents.h"
 #include "scene/gltf_draco.h"
+#include "scene/gltf_entries.h"
 #include "scene/gltf_mesh.h"
 #include "scene/gltf_meshopt.h"
 #include "scene/gltf_nodes.h"
@@ -14,7 +15,11 @@
 #include "scene/gltf_structure.h"
 #include "scene/gltf_summary.h"
 
+#include <fmt/format.h>
+
+#include <functional>
 #include <map>
+#include <mutex>
 #include <set>
 
 namespace alpenglow {
@@ -24,6 +29,7 @@ namespace {
 gltf::Document read_document(GltfOptions const& options, GltfSummary& summary, gltf::Report& report) {
     gltf::Source source = gltf::read_source(report);
     gltf::check_version(source.json, report);
+    gltf::check_entries(source.json, report);
     gltf::check_schema(source.json, report);
     gltf::check_structure(source.json, report);
     gltf::check_extensions(source.json, report);
@@ -39,6 +45,19 @@ gltf::Document read_document(GltfOptions const& options, GltfSummary& summary, g
     return document;
 }
 
+std::vector<double> const& weights_of(gltf::Document const& document, gltf::Node const& node) {
+    return node.weights.empty() ? document.meshes[static_cast<std::size_t>(node.mesh)].weights : node.weights;
+}
+
+/// Matrices that have to be read and made to show the node.
+std::size_t joints_of(gltf::Document const& document, gltf::Node const& node) {
+    if (node.skin == gltf::no_index) return 0;
+    gltf::Skin const& skin = document.skins[static_cast<std::size_t>(node.skin)];
+    int const stored = skin.inverse_bind_matrices;
+    return stored == gltf::no_index ? skin.joints.size()
+                                    : document.accessors[static_cast<std::size_t>(stored)].count;
+}
+
 /// The poses in which nodes show their meshes. A mesh in a pose of its own belongs to one node.
 class Poses {
 public:
@@ -48,8 +67,7 @@ public:
 
     /// Moves `scene_from_mesh` where a skin decides: to its first joint.
     gltf::Pose of(gltf::Node const& node, glm::dmat4& scene_from_mesh) const {
-        gltf::Pose pose{node.weights.empty() ? document_.meshes[static_cast<std::size_t>(node.mesh)].weights
-                                             : node.weights};
+        gltf::Pose pose{weights_of(document_, node)};
         if (node.skin == gltf::no_index) return pose;
         int const first = document_.skins[static_cast<std::size_t>(node.skin)].joints.front();
         glm::dvec4 const origin = scene_from_node_[static_cast<std::size_t>(first)][3];
@@ -81,8 +99,9 @@ void build_meshes(Scene& scene, std::vector<gltf::PlacedNode> const& placed, glt
     std::set<Key> claimed;
     for (gltf::PlacedNode const& one : placed) {
         Key const key = key_of(one.node);
+        gltf::Node const& node = document.nodes[one.node];
         if (key.first != gltf::no_index && claimed.insert(key).second)
-            builder.claim(static_cast<std::size_t>(key.first));
+            builder.claim(static_cast<std::size_t>(key.first), weights_of(document, node), joints_of(document, node));
     }
     std::map<Key, std::uint32_t> numbers;
     scene.meshes.reserve(claimed.size());
@@ -90,8 +109,8 @@ void build_meshes(Scene& scene, std::vector<gltf::PlacedNode> const& placed, glt
         Key const key = key_of(index);
         if (key.first == gltf::no_index) continue;
         auto const [number, is_new] = numbers.try_emplace(key, without_triangles);
-        gltf::Pose const pose = poses.of(document.nodes[index], scene_from_mesh);
         if (is_new) {
+            gltf::Pose const pose = poses.of(document.nodes[index], scene_from_mesh);
             Mesh mesh = builder.build(static_cast<std::size_t>(key.first), pose);
             if (!mesh.parts.empty()) number->second = static_cast<std::uint32_t>(scene.meshes.size());
             if (!mesh.parts.empty()) scene.meshes.push_back(std::move(mesh));
@@ -99,18 +118,46 @@ void build_meshes(Scene& scene, std::vector<gltf::PlacedNode> const& placed, glt
         if (number->second != without_triangles) scene.instances.push_back({number->second, scene_from_mesh});
     }
     if (builder.used_default_material()) scene.materials.push_back({});
+    std::size_t const triangles = triangle_count(scene);
+    if (int const most = report.limits().most_triangles; triangles > static_cast<std::size_t>(most))
+        report.refuse_beyond("most_triangles", most, "/nodes", fmt::format("show {} triangles in all", triangles));
 }
+
+/// Counts what is done for the one who waits.
+class Steps {
+public:
+    Steps(GltfOptions const& options, std::size_t steps) : tell_(options.progress), steps_(steps) {}
+
+    void add() {
+        std::lock_guard const lock(mutex_);
+        if (++done_ < steps_ && tell_) tell_(done_, steps_);
+    }
+    void finish() const {
+        if (tell_) tell_(steps_, steps_);
+    }
+
+private:
+    std::function<void(std::size_t, std::size_t)> const& tell_;
+    std::size_t steps_, done_ = 0;
+    std::mutex mutex_;
+};
 
 Scene load(GltfOptions const& options, GltfSummary& summary, gltf::Report& report) {
     gltf::Document const document = read_document(options, summary, report);
     std::vector<gltf::PlacedNode> const placed = gltf::place_nodes(document, report);
+    constexpr std::size_t reading_and_building = 2;
+    Steps steps(options, reading_and_building + document.images.size());
+    steps.add();
     Scene scene;
     scene.name = report.file().stem().string();
     scene.materials = document.materials;
     build_meshes(scene, placed, document, report);
+    steps.add();
     scene.cameras = gltf::find_cameras(document, placed, report);
-    scene.pictures = gltf::load_pictures(document, scene.materials, options.largest_texture, report);
+    scene.pictures = gltf::load_pictures(document, scene.materials, options.largest_texture, report,
+                                        [&] { steps.add(); });
     scene.bounds = scene_bounds(scene);
+    steps.finish();
     if (scene.instances.empty()) report.warn("the scene holds no triangle");
     report.log_counts();
     return scene;

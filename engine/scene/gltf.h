@@ -5,6 +5,7 @@
 #include "scene/scene.h"
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,8 @@ struct GltfOptions {
     int largest_texture = 4096; ///< [texels] larger pictures are halved until they fit, with a warning
     std::optional<int> scene_index = {}; ///< which of the file's scenes; the file's default unless given
     GltfLimits limits{};
+    /// Where given, told now and then how many of how many steps are done; one call at a time, on any thread.
+    std::function<void(std::size_t done, std::size_t steps)> progress = {};
 };
 
 /// What a file holds beyond what is drawn.
@@ -38,7 +41,8 @@ std::vector<std::string> warning_lines(GltfSummary const& summary);
 /// same arc length and altitude over the sphere whose top the origin touches. Each instance gets its own bent mesh,
 /// with a local origin in its middle. `planet_radius` [m]; `scale` [m per unit of the scene], which stays to be applied
 /// by the placement. Throws Error(bad_input) where the scene reaches farther than the planet's other side or its
-/// centre.
-void curve_to_planet(Scene& scene, double planet_radius, double scale);
+/// centre, or its meshes would have more than `most_vertices` in all.
+void curve_to_planet(Scene& scene, double planet_radius, double scale,
+                     int most_vertices = GltfLimits{}.most_vertices);
 
 } // namespace alpenglow

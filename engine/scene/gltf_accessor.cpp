@@ -37,6 +37,11 @@ void check_span(Document const& document, Span const& span, std::string const& p
                       "elements of " + bytes_text(span.size) + " don't fit its view's stride of " +
                           bytes_text(span.stride));
     }
+    if (span.offset % span.component != 0) {
+        report.refuse("ACCESSOR_OFFSET_ALIGNMENT", pointer,
+                      fmt::format("begins at byte {}, no multiple of its components' {}", span.offset,
+                                  bytes_text(span.component)));
+    }
     if ((view.offset + span.offset) % span.component != 0 || span.stride % span.component != 0) {
         report.refuse("ACCESSOR_TOTAL_OFFSET_ALIGNMENT", pointer,
                       "is not aligned to its components of " + bytes_text(span.component));
@@ -61,13 +66,33 @@ void check_sparse(Document const& document, Accessor const& accessor, std::strin
     check_span(document,
                {sparse.value_view, sparse.value_offset, sparse.count, size, size, component_size(accessor.type)},
                pointer + "/sparse/values", report);
+}
+
+void check_sparse_order(Document const& document, std::size_t index, Report const& report) {
+    Accessor const& accessor = document.accessors[index];
+    if (!accessor.sparse) return;
+    std::string const pointer = pointer_to("accessors", index) + "/sparse/indices";
     std::vector<std::uint32_t> const indices = sparse_indices_of(document, accessor);
     if (std::ranges::adjacent_find(indices, std::greater_equal<>()) != indices.end()) {
-        report.refuse("ACCESSOR_SPARSE_INDICES_NON_INCREASING", pointer + "/sparse/indices", "must increase strictly");
+        report.refuse("ACCESSOR_SPARSE_INDICES_NON_INCREASING", pointer, "must increase strictly");
     }
     if (indices.back() >= accessor.count)
-        report.refuse("ACCESSOR_SPARSE_INDEX_OOB", pointer + "/sparse/indices",
-                      "holds an index beyond the accessor's count");
+        report.refuse("ACCESSOR_SPARSE_INDEX_OOB", pointer, "holds an index beyond the accessor's count");
+}
+
+/// Interleaved and shared views are read a few times over; a file that has the same bytes read again and again wants
+/// time, not triangles.
+void check_work(Document const& document, Report const& report) {
+    constexpr std::uint64_t most_times = 16, free_bytes = 1 << 20;
+    std::uint64_t buffers = 0, accessors = 0;
+    for (auto const& buffer : document.buffers) buffers += buffer.size();
+    for (Accessor const& accessor : document.accessors) {
+        std::uint64_t const stored = accessor.view != no_index ? accessor.count : 0;
+        accessors += element_size(accessor) * (stored + (accessor.sparse ? accessor.sparse->count : 0));
+        if (accessors > most_times * buffers + free_bytes)
+            report.refuse("ACCESSORS_OVERLAP", "/accessors",
+                          fmt::format("read the buffers' {} bytes more than {} times over", buffers, most_times));
+    }
 }
 
 /// [bytes] of an element without the padding behind its last column, which the last one may lack.
@@ -83,6 +108,8 @@ void check_accessor(Document const& document, std::size_t index, std::uint64_t a
         report.refuse("ACCESSOR_NORMALIZED_INVALID", pointer + "/normalized",
                       "is true, but its components are not 8 or 16 bits");
     }
+    if (accessor.columns > 1 && accessor.offset % 4 != 0)
+        report.refuse("ACCESSOR_MATRIX_ALIGNMENT", pointer, "holds matrices that don't begin at a multiple of 4 bytes");
     if (accessor.view != no_index) {
         std::size_t const size = element_size(accessor);
         std::uint64_t const stride = document.views[static_cast<std::size_t>(accessor.view)].stride;
@@ -151,6 +178,8 @@ void check_accessors(Document const& document, Report const& report) {
     std::uint64_t all_bytes = 0;
     for (auto const& buffer : document.buffers) all_bytes += buffer.size();
     for (std::size_t i = 0; i < document.accessors.size(); ++i) check_accessor(document, i, all_bytes, report);
+    check_work(document, report);
+    for (std::size_t i = 0; i < document.accessors.size(); ++i) check_sparse_order(document, i, report);
 }
 
 Elements elements_of(Document const& document, Accessor const& accessor) {

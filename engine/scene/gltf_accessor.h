@@ -46,10 +46,12 @@ void read_vectors_as(Document const& document, Accessor const& accessor, std::st
                      Report const& report, Store const& store) {
     auto const rows = static_cast<std::size_t>(accessor.rows * accessor.columns);
     auto const read = [&](std::byte const* bytes, std::size_t index) {
-        T raw[N] = {};
-        if (bytes) std::memcpy(raw, bytes, rows * sizeof(T));
         float value[N];
-        for (std::size_t c = 0; c < N; ++c) value[c] = c < rows ? float_from(raw[c], accessor.normalized) : 1.0f;
+        for (std::size_t c = 0; c < N; ++c) {
+            T raw{};
+            if (bytes && c < rows) std::memcpy(&raw, bytes + c * sizeof(T), sizeof(T));
+            value[c] = c < rows ? float_from(raw, accessor.normalized) : 1.0f;
+        }
         if constexpr (std::is_floating_point_v<T>) {
             for (float const v : value) {
                 if (!std::isfinite(v))

@@ -67,8 +67,6 @@ inline constexpr auto CODES = std::to_array<CodeInfo>({
     {"UNSUPPORTED_EXTENSION", warned},
     {"UNUSED_EXTENSION_REQUIRED", warned},
     // Buffers, views and accessors
-    {"ACCESSOR_ELEMENT_OUT_OF_MAX_BOUND", warned},
-    {"ACCESSOR_ELEMENT_OUT_OF_MIN_BOUND", warned},
     {"ACCESSOR_INVALID_FLOAT", refused},
     {"ACCESSOR_MATRIX_ALIGNMENT", refused},
     {"ACCESSOR_MAX_MISMATCH", warned},
@@ -118,7 +116,6 @@ inline constexpr auto CODES = std::to_array<CodeInfo>({
     {"MESH_PRIMITIVE_JOINTS_WEIGHTS_MISMATCH", warned},
     {"MESH_PRIMITIVE_MORPH_TARGET_INVALID_ATTRIBUTE_COUNT", refused},
     {"MESH_PRIMITIVE_MORPH_TARGET_NO_BASE_ACCESSOR", warned},
-    {"MESH_PRIMITIVE_NO_POSITION", warned},
     {"MESH_PRIMITIVE_POSITION_ACCESSOR_WITHOUT_BOUNDS", warned},
     {"MESH_PRIMITIVE_TOO_FEW_TEXCOORDS", warned},
     {"MESH_PRIMITIVE_UNEQUAL_ACCESSOR_COUNT", refused},

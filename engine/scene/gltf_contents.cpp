@@ -9,21 +9,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Interleaved and shared views are read a few times over; a file that has the same bytes read again and again wants
-/// time, not triangles.
-void check_work(Document const& document, Report const& report) {
-    constexpr std::uint64_t most_times = 16, free_bytes = 1 << 20;
-    std::uint64_t buffers = 0, accessors = 0;
-    for (auto const& buffer : document.buffers) buffers += buffer.size();
-    for (Accessor const& accessor : document.accessors) {
-        std::uint64_t const stored = accessor.view != no_index ? accessor.count : 0;
-        accessors += element_size(accessor) * (stored + (accessor.sparse ? accessor.sparse->count : 0));
-        if (accessors > most_times * buffers + free_bytes)
-            report.refuse("ACCESSORS_OVERLAP", "/accessors",
-                          fmt::format("read the buffers' {} bytes more than {} times over", buffers, most_times));
-    }
-}
-
 /// Compares what an accessor says of its least or greatest component with what it holds. Floats are compared as such:
 /// the JSON may have fewer digits, or more.
 bool is_bound(Json const& bound, double actual, bool is_float) {
@@ -82,7 +67,6 @@ void check_values(Json const& json, Document const& document, Report& report) {
 }
 
 void check_contents(Json const& json, Document const& document, Report& report) {
-    check_work(document, report);
     check_values(json, document, report);
     check_attribute_values(json, document, report);
     check_motion_values(json, document, report);

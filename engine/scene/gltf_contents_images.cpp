@@ -55,6 +55,8 @@ public:
             report_.warn(error.diagnostic());
             return declared;
         }
+        all_bytes_ += bytes.size();
+        check_file_bytes(all_bytes_, pointer, report_);
         std::string_view const type = recognized(bytes);
         if (type.empty()) report_.say("IMAGE_UNRECOGNIZED_FORMAT", pointer, "is no PNG, JPEG, WebP or KTX2");
         if (declared.empty()) declared = type;
@@ -70,6 +72,7 @@ private:
     Document const& document_;
     Report& report_;
     bool webp_ = false;
+    std::uint64_t all_bytes_ = 0; ///< of the pictures so far
 };
 
 } // namespace

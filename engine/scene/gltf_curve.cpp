@@ -42,7 +42,7 @@ private:
 
 glm::dvec3 unit_or(glm::dvec3 const& v, glm::dvec3 const& otherwise) {
     double const length = glm::length(v);
-    return length > 0 ? v / length : otherwise;
+    return length > 0 && std::isfinite(length) ? v / length : otherwise;
 }
 
 /// The mesh of one instance, bent; the instance's transform becomes a translation.
@@ -78,9 +78,20 @@ Mesh bend_instance(Mesh const& flat, Instance& instance, double radius) {
     return mesh;
 }
 
+void check_bent_size(Scene const& scene, int most) {
+    std::size_t vertices = 0;
+    for (Instance const& instance : scene.instances) vertices += scene.meshes[instance.mesh].vertices.size();
+    if (vertices <= static_cast<std::size_t>(most)) return;
+    throw Error(ErrorKind::bad_input,
+                "each instance is bent by itself: " + std::to_string(vertices) +
+                    " vertices in all, more than the limit of " + std::to_string(most),
+                "curve", "raise it with --set most_vertices=NUMBER, or place the scene without curve");
+}
+
 } // namespace
 
-void curve_to_planet(Scene& scene, double planet_radius, double scale) {
+void curve_to_planet(Scene& scene, double planet_radius, double scale, int most_vertices) {
+    check_bent_size(scene, most_vertices);
     std::vector<Mesh> meshes;
     meshes.reserve(scene.instances.size());
     for (Instance& instance : scene.instances) {

@@ -3,7 +3,8 @@
 #include "scene/gltf_accessor.h"
 #include "scene/gltf_draco_header.h"
 
-#include <draco/compression/decode.h>
+#include <draco/compression/mesh/mesh_edgebreaker_decoder.h>
+#include <draco/compression/mesh/mesh_sequential_decoder.h>
 
 #include <fmt/format.h>
 #include <memory>
@@ -11,6 +12,9 @@
 namespace alpenglow::gltf {
 
 namespace {
+
+/// Vertices, or triangles, for each byte. Flat grids come near 100; what claims more is made to take memory.
+constexpr std::uint64_t most_growth = 1000;
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
@@ -61,6 +65,24 @@ std::vector<std::byte> triangle_bytes(draco::Mesh const& mesh) {
     return bytes;
 }
 
+/// A decoder of Draco's that makes no more attributes than glTF has a use for: a few bytes suffice to announce one, and
+/// each takes memory for every vertex.
+template <class Decoder> class BoundedDecoder : public Decoder {
+public:
+    draco::Status decode(draco::DecoderBuffer& buffer, draco::Mesh& mesh) {
+        return this->Decode(draco::DecoderOptions(), &buffer, &mesh);
+    }
+
+private:
+    bool DecodeAllAttributes() override {
+        constexpr int most_components = 64;
+        int components = 0;
+        for (int i = 0; i < this->mesh()->num_attributes(); ++i)
+            components += this->mesh()->attribute(i)->num_components();
+        return components <= most_components && Decoder::DecodeAllAttributes();
+    }
+};
+
 /// The decoded primitives of one document. Two primitives that name one accessor for different bytes get one each.
 class Decompressor {
 public:
@@ -88,17 +110,20 @@ public:
 private:
     std::unique_ptr<draco::Mesh> decode(Primitive const& primitive, std::string const& pointer) {
         std::span<char const> const bytes = bytes_of(document_, primitive.draco->view);
-        check_counts(bytes, primitive, pointer);
+        bool const edgebreaker = check_counts(bytes, primitive, pointer).edgebreaker;
         draco::DecoderBuffer buffer;
         buffer.Init(bytes.data(), bytes.size());
-        auto result = draco::Decoder().DecodeMeshFromBuffer(&buffer);
-        if (!result.ok())
-            report_.fail(pointer, "its bytes can't be decompressed: " + printable(result.status().error_msg_string()));
-        return std::move(result).value();
+        auto mesh = std::make_unique<draco::Mesh>();
+        draco::Status const status = edgebreaker
+                                         ? BoundedDecoder<draco::MeshEdgebreakerDecoder>().decode(buffer, *mesh)
+                                         : BoundedDecoder<draco::MeshSequentialDecoder>().decode(buffer, *mesh);
+        if (!status.ok())
+            report_.fail(pointer, "its bytes can't be decompressed: " + printable(status.error_msg_string()));
+        return mesh;
     }
 
-    /// The decoder allocates by what the stream says: that must be what the accessors say.
-    void check_counts(std::span<char const> bytes, Primitive const& primitive, std::string const& pointer) {
+    /// The decoder allocates by what the stream says: that must be what the accessors say, and within the limits.
+    DracoCounts check_counts(std::span<char const> bytes, Primitive const& primitive, std::string const& pointer) {
         std::optional<DracoCounts> const counts = read_draco_counts(bytes);
         if (!counts) report_.fail(pointer + "/bufferView", "is not a Draco 2.2 mesh");
         auto const position = primitive.attributes.find("POSITION");
@@ -112,6 +137,23 @@ private:
                          fmt::format("holds {} vertices and {} triangles, the primitive's accessors say {} and {}",
                                      counts->vertices, counts->faces, points, corners / 3));
         }
+        if (points / most_growth > bytes.size() || counts->faces / most_growth > bytes.size())
+            report_.fail(pointer, fmt::format("says {} vertices and {} triangles, more than {} bytes can hold", points,
+                                              counts->faces, bytes.size()));
+        check_total(points, counts->faces * 3 * (1 + counts->seams), pointer);
+        return *counts;
+    }
+
+    void check_total(std::uint64_t vertices, std::uint64_t indices, std::string const& pointer) {
+        vertices_ += vertices;
+        indices_ += indices;
+        GltfLimits const& limits = report_.limits();
+        if (vertices_ > static_cast<std::uint64_t>(limits.most_vertices))
+            report_.refuse_beyond("most_vertices", limits.most_vertices, pointer,
+                                  fmt::format("unpacks {} vertices in all", vertices_));
+        if (indices_ > static_cast<std::uint64_t>(limits.most_indices))
+            report_.refuse_beyond("most_indices", limits.most_indices, pointer,
+                                  fmt::format("unpacks {} indices in all", indices_));
     }
 
     void take_attribute(draco::Mesh const& mesh, int id, int& index, std::string const& pointer) {
@@ -145,6 +187,7 @@ private:
     Document& document_;
     Report const& report_;
     std::vector<bool> taken_;
+    std::uint64_t vertices_ = 0, indices_ = 0; ///< of all meshes so far
 };
 
 } // namespace

@@ -42,7 +42,10 @@ std::optional<DracoCounts> read_draco_counts(std::span<char const> bytes) {
     if (edgebreaker && !buffer.Decode(&traversal)) return {};
     std::uint32_t first = 0, second = 0;
     if (!draco::DecodeVarint(&first, &buffer) || !draco::DecodeVarint(&second, &buffer)) return {};
-    return edgebreaker ? DracoCounts{second, first} : DracoCounts{first, second};
+    if (!edgebreaker) return DracoCounts{first, second};
+    std::uint8_t seams = 0;
+    if (!buffer.Decode(&seams)) return {};
+    return DracoCounts{second, first, true, seams};
 }
 
 } // namespace alpenglow::gltf

@@ -7,21 +7,37 @@
 
 namespace alpenglow::gltf {
 
-/// The components of one element as stored, before normalization; matrices by columns. 32 bits fit a double.
+/// The components of one element as stored, before normalization; matrices by columns. 32 bits fit a double. Zero
+/// behind the last component.
 using ElementValues = std::array<double, 16>;
 
-template <class T> ElementValues element_values(std::byte const* bytes, std::size_t columns, std::size_t rows) {
-    ElementValues values{};
-    // Columns begin at multiples of four bytes (glTF 2.0, section 3.6.2.4).
-    std::size_t const column_size = columns == 1 ? rows * sizeof(T) : (rows * sizeof(T) + 3) / 4 * 4;
-    for (std::size_t c = 0; c < columns; ++c) {
-        for (std::size_t r = 0; r < rows; ++r) {
-            T value;
-            std::memcpy(&value, bytes + c * column_size + r * sizeof(T), sizeof(T));
-            values[c * rows + r] = static_cast<double>(value);
-        }
+template <class T, std::size_t rows> void read_column(std::byte const* bytes, double* values) {
+    for (std::size_t r = 0; r < rows; ++r) {
+        T value;
+        std::memcpy(&value, bytes + r * sizeof(T), sizeof(T));
+        values[r] = static_cast<double>(value);
     }
-    return values;
+}
+
+template <class T> void read_column(std::byte const* bytes, std::size_t rows, double* values) {
+    switch (rows) {
+    case 1:
+        return read_column<T, 1>(bytes, values);
+    case 2:
+        return read_column<T, 2>(bytes, values);
+    case 3:
+        return read_column<T, 3>(bytes, values);
+    default:
+        return read_column<T, 4>(bytes, values);
+    }
+}
+
+/// What stands behind the element's components in `values` stays.
+template <class T>
+void read_element(std::byte const* bytes, std::size_t columns, std::size_t rows, ElementValues& values) {
+    // Columns begin at multiples of four bytes (glTF 2.0, section 3.6.2.4).
+    std::size_t const column_size = (rows * sizeof(T) + 3) / 4 * 4;
+    for (std::size_t c = 0; c < columns; ++c) read_column<T>(bytes + c * column_size, rows, &values[c * rows]);
 }
 
 template <class T, class Visit>
@@ -30,23 +46,27 @@ void visit_elements_as(Document const& document, Accessor const& accessor, Visit
     std::vector<std::uint32_t> const replaced =
         accessor.sparse ? sparse_indices_of(document, accessor) : std::vector<std::uint32_t>{};
     Elements const elements = elements_of(document, accessor);
+    ElementValues values{};
+    auto const read = [&](std::size_t i, std::byte const* bytes) {
+        read_element<T>(bytes, columns, rows, values);
+        visit(i, values);
+    };
     if (elements.first) {
         auto next = replaced.begin();
         for (std::size_t i = 0; i < accessor.count; ++i) {
             if (next != replaced.end() && *next == i)
                 ++next;
             else
-                visit(i, element_values<T>(elements.first + i * elements.stride, columns, rows));
+                read(i, elements.first + i * elements.stride);
         }
     } else if (replaced.size() < accessor.count) {
         std::size_t first_zero = 0;
         while (first_zero < replaced.size() && replaced[first_zero] == first_zero) ++first_zero;
-        visit(first_zero, ElementValues{});
+        visit(first_zero, values);
     }
     if (replaced.empty()) return;
-    Elements const values = sparse_values_of(document, accessor);
-    for (std::size_t i = 0; i < replaced.size(); ++i)
-        visit(replaced[i], element_values<T>(values.first + i * values.stride, columns, rows));
+    Elements const others = sparse_values_of(document, accessor);
+    for (std::size_t i = 0; i < replaced.size(); ++i) read(replaced[i], others.first + i * others.stride);
 }
 
 /// Calls `visit(index, values)` for the elements of an accessor that check_accessors has passed: those replaced by a

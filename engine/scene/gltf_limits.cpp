@@ -7,13 +7,17 @@ namespace alpenglow {
 GltfLimits gltf_limits(Settings const& settings) {
     return {.largest_scene_file = settings.largest_scene_file,
             .most_json_values = settings.most_json_values,
+            .most_entries = settings.most_entries,
+            .most_materials = settings.most_materials,
             .deepest_json = settings.deepest_json,
             .deepest_node = settings.deepest_node,
             .most_instances = settings.most_instances,
             .most_vertices = settings.most_vertices,
             .most_indices = settings.most_indices,
             .largest_picture = settings.largest_picture,
-            .most_pixels = settings.most_pixels};
+            .most_triangles = settings.most_triangles,
+            .most_pixels = settings.most_pixels,
+            .most_picture_memory = settings.most_picture_memory};
 }
 
 } // namespace alpenglow

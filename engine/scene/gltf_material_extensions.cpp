@@ -13,16 +13,20 @@ double reflectance_of(double ior) {
     return ior == 0 ? 1 : ratio * ratio;
 }
 
-/// The reflectance for index `ior` and `tint`, one number for all colours, within what the G-buffer holds.
-float reflectance_of(double ior, std::vector<double> const& tint, Report& report) {
+/// Reflectance for index `ior` and `tint`: one number for all colours.
+void apply_reflectance(Material& material, double ior, std::vector<double> const& tint, Report& report) {
     double const plain = reflectance_of(ior);
-    double mean = 0;
-    for (double const channel : tint) mean += std::min(plain * channel, 1.0) / 3;
-    if (tint[0] != tint[1] || tint[1] != tint[2])
+    glm::dvec3 colors(0);
+    for (int c = 0; c < 3; ++c) colors[c] = std::min(plain * tint[static_cast<std::size_t>(c)], 1.0);
+    double const sum = colors.r + colors.g + colors.b;
+    if (sum > 0) material.reflectance_shares = colors / sum;
+    material.reflectance = static_cast<float>(sum / 3);
+    if (tint[0] != tint[1] || tint[1] != tint[2] || material.reflectance_texture)
         report.warn("tinted reflections (KHR_materials_specular) take the mean of their colour");
-    if (mean > Material::largest_reflectance)
-        report.warn("reflectances above 0.2 (an index of refraction of 2.6) are drawn as 0.2");
-    return std::min(static_cast<float>(mean), Material::largest_reflectance);
+    if (sum / 3 <= Material::largest_reflectance) return;
+    report.warn("reflectances above 0.2 (an index of refraction of 2.6) are drawn as 0.2");
+    // What a texture may lower stays as it is.
+    if (!material.reflectance_texture) material.reflectance = Material::largest_reflectance;
 }
 
 } // namespace
@@ -42,10 +46,8 @@ void apply_material_extensions(Material& material, JsonObject const& json, Repor
     if (specular) {
         material.specular = static_cast<float>(specular->number("specularFactor", 1, 0, 1));
         tint = specular->numbers("specularColorFactor", tint, 0);
-        if (specular->has("specularTexture") || specular->has("specularColorTexture"))
-            report.warn("textures of KHR_materials_specular are left out");
     }
-    if (refracting || specular) material.reflectance = reflectance_of(ior, tint, report);
+    if (refracting || specular) apply_reflectance(material, ior, tint, report);
     material.unlit = json.extension("KHR_materials_unlit").has_value();
 }
 

@@ -5,8 +5,8 @@
 
 namespace alpenglow::gltf {
 
-/// KHR_materials_emissive_strength, _ior, _specular and _unlit of a material whose core is read already. Reflectance is
-/// one number: a tint of it is averaged, textures of it are left out, each with a warning. Throws Error(bad_input).
+/// KHR_materials_emissive_strength, _ior, _specular and _unlit of a material whose core and textures are read already.
+/// Reflectance is one number: a tint of it is averaged, with a warning. Throws Error(bad_input).
 void apply_material_extensions(Material& material, JsonObject const& json, Report& report);
 
 /// KHR_texture_transform of a texture reference ("textureInfo"): how it turns coordinates and, where it says so, which

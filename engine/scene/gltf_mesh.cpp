@@ -63,6 +63,33 @@ glm::vec4 unit_tangent(float const* v) {
     return {direction / length, v[3] < 0 ? -1.0f : 1.0f};
 }
 
+using AttributeSet = std::map<std::string, int>;
+
+struct Claim {
+    std::size_t vertices = 0, indices = 0;
+};
+
+/// What a primitive takes at most. Vertices count once more for each morph target that moves them. `known`: the
+/// attributes of the mesh's primitives so far.
+Claim claim_of(Document const& document, Primitive const& primitive, std::vector<double> const& weights,
+               std::set<AttributeSet>& known) {
+    auto const position = primitive.attributes.find("POSITION");
+    if (primitive.mode < 4 || position == primitive.attributes.end()) return {};
+    std::size_t const count = document.accessors[static_cast<std::size_t>(position->second)].count;
+    std::size_t const corners = primitive.indices == no_index
+                                    ? count
+                                    : document.accessors[static_cast<std::size_t>(primitive.indices)].count;
+    bool const list = static_cast<TriangleMode>(primitive.mode) == TriangleMode::list;
+    Claim claim{0, list ? corners : 3 * corners};
+    auto const used = std::span(weights).first(std::min(weights.size(), primitive.targets.size()));
+    auto const moves = static_cast<std::size_t>(std::ranges::count_if(used, [](double weight) { return weight != 0; }));
+    if (!primitive.attributes.contains("NORMAL") || !primitive.targets.empty())
+        claim.vertices = std::max(count, claim.indices) + moves * count;
+    else if (known.insert(primitive.attributes).second)
+        claim.vertices = count;
+    return claim;
+}
+
 Box bounds_of(Mesh const& mesh, MeshPart const& part) {
     Box box;
     for (std::uint32_t const index : std::span(mesh.indices).subspan(part.first_index, part.index_count)) {
@@ -73,31 +100,23 @@ Box bounds_of(Mesh const& mesh, MeshPart const& part) {
 
 } // namespace
 
-void MeshBuilder::claim(std::size_t index) {
-    std::set<std::map<std::string, int>> known;
-    for (Primitive const& primitive : document_.meshes[index].primitives) {
-        auto const position = primitive.attributes.find("POSITION");
-        if (primitive.mode < 4 || position == primitive.attributes.end()) continue;
-        std::size_t const count = document_.accessors[static_cast<std::size_t>(position->second)].count;
-        std::size_t const corners = primitive.indices == no_index
-                                        ? count
-                                        : document_.accessors[static_cast<std::size_t>(primitive.indices)].count;
-        std::size_t const indices =
-            static_cast<TriangleMode>(primitive.mode) == TriangleMode::list ? corners : 3 * corners;
-        total_indices_ += indices;
-        if (!primitive.attributes.contains("NORMAL") || !primitive.targets.empty())
-            total_vertices_ += std::max(count, indices);
-        else if (known.insert(primitive.attributes).second)
-            total_vertices_ += count;
-    }
+void MeshBuilder::claim(std::size_t index, std::vector<double> const& weights, std::size_t joints) {
+    std::set<AttributeSet> known;
     std::string const pointer = fmt::format("/meshes/{}", index);
     GltfLimits const& limits = report_.limits();
-    if (total_indices_ > static_cast<std::size_t>(limits.most_indices))
-        report_.refuse_beyond("most_indices", limits.most_indices, pointer,
-                              fmt::format("makes {} indices in all", total_indices_));
-    if (total_vertices_ > static_cast<std::size_t>(limits.most_vertices))
-        report_.refuse_beyond("most_vertices", limits.most_vertices, pointer,
-                              fmt::format("makes {} vertices in all", total_vertices_));
+    total_vertices_ += joints;
+    for (Primitive const& primitive : document_.meshes[index].primitives) {
+        Claim const claim = claim_of(document_, primitive, weights, known);
+        constexpr std::size_t fewest = 3; // what is shared or left out takes time as well
+        total_indices_ += std::max(claim.indices, fewest);
+        total_vertices_ += std::max(claim.vertices, fewest);
+        if (total_indices_ > static_cast<std::size_t>(limits.most_indices))
+            report_.refuse_beyond("most_indices", limits.most_indices, pointer,
+                                  fmt::format("makes {} indices in all", total_indices_));
+        if (total_vertices_ > static_cast<std::size_t>(limits.most_vertices))
+            report_.refuse_beyond("most_vertices", limits.most_vertices, pointer,
+                                  fmt::format("makes {} vertices in all", total_vertices_));
+    }
 }
 
 Mesh MeshBuilder::build(std::size_t index, Pose const& pose) {

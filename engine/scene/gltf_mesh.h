@@ -12,9 +12,9 @@ class MeshBuilder {
 public:
     MeshBuilder(Document const& document, Report& report) : document_(document), report_(report) {}
 
-    /// Counts what `mesh` will take at most. Throws Error(bad_input) beyond the limits. Call it for every mesh before
-    /// the first is built.
-    void claim(std::size_t mesh);
+    /// Counts what `mesh` will take at most, in a pose of these morph weights and so many joints. Throws
+    /// Error(bad_input) beyond the limits. Call it for every mesh before the first is built.
+    void claim(std::size_t mesh, std::vector<double> const& weights, std::size_t joints);
     /// `mesh` of the document as triangles, in `pose`; without parts where it holds none. Materials are numbered as in the
     /// document; a part without one has `default_material()`. Throws Error(bad_input).
     Mesh build(std::size_t mesh, Pose const& pose);

@@ -1,6 +1,7 @@
 #include "scene/gltf_meshopt.h"
 
 #include "scene/gltf_json.h"
+#include "scene/gltf_source.h"
 
 #include <meshoptimizer.h>
 
@@ -12,7 +13,6 @@ namespace alpenglow::gltf {
 namespace {
 
 constexpr char const* extension = "EXT_meshopt_compression";
-constexpr std::uint64_t most_decompressed_bytes = std::uint64_t{1} << 30;
 /// An attribute stream spends at least two bits on each byte of sixteen elements, an index stream a byte on three
 /// indices: no stream grows more.
 constexpr std::uint64_t most_growth = 64;
@@ -108,8 +108,7 @@ void decompress_views(Document& document, nlohmann::json const& json, Report con
         BufferView& view = document.views[i];
         Stream const stream = read_stream(*compressed, view, document);
         total += view.length;
-        if (total > most_decompressed_bytes)
-            compressed->fail("count", fmt::format("is beyond the limit of {} bytes in all", most_decompressed_bytes));
+        check_file_bytes(total, compressed->pointer(), report);
         std::vector<std::byte> bytes(view.length);
         if (!decode(stream, bytes.data())) report.fail(compressed->pointer(), "its bytes can't be decompressed");
         undo_filter(stream, bytes.data());

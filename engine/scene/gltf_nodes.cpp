@@ -156,7 +156,7 @@ std::vector<SceneCamera> find_cameras(Document const& document, std::vector<Plac
         std::string const name = !source.name.empty() ? source.name
                                  : !node.name.empty() ? node.name
                                                       : "camera " + std::to_string(cameras.size());
-        cameras.push_back({name, scene_from_node, source.vertical_fov});
+        cameras.push_back({printable(name), scene_from_node, source.vertical_fov});
     }
     return cameras;
 }

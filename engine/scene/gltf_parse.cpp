@@ -5,6 +5,7 @@
 #include "scene/gltf_nodes.h"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -60,13 +61,20 @@ void drop_extensions(nlohmann::json& value) {
         if (member.is_structured()) drop_extensions(member);
 }
 
-tinygltf::Model parse_model(nlohmann::json json, Report const& report) {
+/// Without what is read by us (buffers, images) or not at all: the less the parser gets, the less can go wrong in it.
+nlohmann::json for_parser(nlohmann::json const& source, Report const& report) {
+    constexpr std::array<std::string_view, 5> ours = {"buffers", "images", "animations", "skins", "cameras"};
+    nlohmann::json json = nlohmann::json::object();
+    for (auto const& [key, value] : source.items())
+        if (std::ranges::find(ours, key) == ours.end()) json[key] = value;
     drop_compressed_indices(json);
     check_index_views(json, report);
-    // Read by us (buffers, images) or not at all: the less reaches the parser, the less can go wrong in it.
-    for (char const* const key : {"buffers", "images", "animations", "skins", "cameras"}) json.erase(key);
     drop_extensions(json);
-    std::string const text = json.dump();
+    return json;
+}
+
+tinygltf::Model parse_model(nlohmann::json const& json, Report const& report) {
+    std::string const text = for_parser(json, report).dump();
     tinygltf::TinyGLTF parser;
     parser.RemoveImageLoader();
     parser.SetFsCallbacks({});
@@ -152,6 +160,16 @@ Texture convert_texture(Info const& info, std::optional<JsonObject> const& json,
     return texture;
 }
 
+/// Of an extension, which tinygltf does not read.
+Texture convert_texture(JsonObject const& extension, std::string const& name, Textures& textures) {
+    auto const json = extension.find(name);
+    if (!json) return {};
+    tinygltf::TextureInfo info;
+    info.index = json->index("index", textures.json.size());
+    info.texCoord = static_cast<int>(json->whole("texCoord", 0, 0, std::numeric_limits<int>::max()));
+    return convert_texture(info, json, textures);
+}
+
 Material convert(tinygltf::Material const& source, JsonObject const& json, Textures& textures) {
     tinygltf::PbrMetallicRoughness const& pbr = source.pbrMetallicRoughness;
     Material material;
@@ -170,6 +188,10 @@ Material convert(tinygltf::Material const& source, JsonObject const& json, Textu
     material.normal_texture = convert_texture(source.normalTexture, json.find("normalTexture"), textures);
     material.occlusion_texture = convert_texture(source.occlusionTexture, json.find("occlusionTexture"), textures);
     material.emission_texture = convert_texture(source.emissiveTexture, json.find("emissiveTexture"), textures);
+    if (auto const specular = json.extension("KHR_materials_specular")) {
+        material.specular_texture = convert_texture(*specular, "specularTexture", textures);
+        material.reflectance_texture = convert_texture(*specular, "specularColorTexture", textures);
+    }
     apply_material_extensions(material, json, textures.report);
     bool const blended = source.alphaMode == "BLEND";
     if (blended) textures.report.warn("blended materials are drawn as masked ones");
@@ -247,7 +269,9 @@ std::vector<int> shown_roots(tinygltf::Model const& model, std::optional<int> ch
 
 std::vector<Image> convert_images(nlohmann::json const& json, Report const& report) {
     std::vector<Image> images;
-    for (nlohmann::json const& source : json.value("images", nlohmann::json::array())) {
+    auto const sources = json.find("images"); // not copied: they may hold whole pictures
+    if (sources == json.end()) return images;
+    for (nlohmann::json const& source : *sources) {
         if (source.contains("uri") == source.contains("bufferView")) {
             report.refuse("ONE_OF_MISMATCH", "/images/" + std::to_string(images.size()),
                           "must have either a uri or a bufferView");

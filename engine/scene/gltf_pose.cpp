@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <glm/gtc/type_ptr.hpp>
 
+#include <cmath>
+
 namespace alpenglow::gltf {
 
 namespace {
@@ -32,11 +34,16 @@ void add_target(std::vector<Vertex>& vertices, int index, double weight, std::st
     for (std::size_t i = 0; i < added.size(); ++i) member(vertices[i], added[i]);
 }
 
-void make_unit(std::vector<Vertex>& vertices) {
+/// What sums and products of large numbers make of vertices is no vertex any more.
+void finish(std::vector<Vertex>& vertices, std::string const& pointer, Report const& report) {
+    auto const is_length = [](float length) { return length > 0 && std::isfinite(length); };
     for (Vertex& vertex : vertices) {
+        if (!std::isfinite(glm::length(glm::dvec3(vertex.position))))
+            report.refuse("VALUE_NOT_IN_RANGE", pointer, "has a vertex that is moved out of a float's range");
         float const length = glm::length(vertex.normal), along = glm::length(glm::vec3(vertex.tangent));
-        vertex.normal = length > 0 ? vertex.normal / length : glm::vec3(0, 1, 0);
-        vertex.tangent = along > 0 ? glm::vec4(glm::vec3(vertex.tangent) / along, vertex.tangent.w) : glm::vec4(0);
+        vertex.normal = is_length(length) ? vertex.normal / length : glm::vec3(0, 1, 0);
+        vertex.tangent =
+            is_length(along) ? glm::vec4(glm::vec3(vertex.tangent) / along, vertex.tangent.w) : glm::vec4(0);
     }
 }
 
@@ -94,17 +101,18 @@ void apply_targets(std::vector<Vertex>& vertices, Primitive const& primitive, Po
         double const weight = pose.weights[t];
         if (weight == 0) continue;
         moved = true;
-        for (auto const& [name, index] : primitive.targets[t]) {
+        for (auto const& attribute : primitive.targets[t]) {
+            std::string const& name = attribute.first;
             std::string const where = fmt::format("{}/targets/{}/{}", pointer, t, printable(name));
             auto const add = [&](auto const& member) {
-                add_target(vertices, index, weight, where, document, report, member);
+                add_target(vertices, attribute.second, weight, where, document, report, member);
             };
             if (name == "POSITION") add([](Vertex& vertex, glm::vec3 const& v) { vertex.position += v; });
             if (name == "NORMAL") add([](Vertex& vertex, glm::vec3 const& v) { vertex.normal += v; });
             if (name == "TANGENT") add([](Vertex& vertex, glm::vec3 const& v) { vertex.tangent += glm::vec4(v, 0); });
         }
     }
-    if (moved) make_unit(vertices);
+    if (moved) finish(vertices, pointer, report);
 }
 
 void apply_skin(std::vector<Vertex>& vertices, Primitive const& primitive, Pose const& pose, Document const& document,
@@ -126,7 +134,7 @@ void apply_skin(std::vector<Vertex>& vertices, Primitive const& primitive, Pose 
     // A vertex without weights has no place: it stays where the bind pose has it.
     for (std::size_t i = 0; i < vertices.size(); ++i)
         if (totals[i] > 0) move(vertices[i], sums[i] / totals[i]);
-    make_unit(vertices);
+    finish(vertices, pointer, report);
 }
 
 std::vector<glm::dmat4> joint_matrices(Document const& document, int skin,

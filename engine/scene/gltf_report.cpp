@@ -1,9 +1,8 @@
 #include "scene/gltf_report.h"
 
 #include "core/log.h"
+#include "core/plain_text.h"
 #include "scene/gltf.h"
-
-#include <algorithm>
 
 namespace alpenglow {
 
@@ -62,7 +61,9 @@ void Report::warn(GltfDiagnostic const& diagnostic) {
 }
 
 void Report::warn(std::string const& line) {
-    if (warned_.insert(line).second) keep({"", SIMPLIFIED, line}, true);
+    constexpr std::size_t most_lines = 50;
+    if (!warned_.insert(line).second) return;
+    keep({"", SIMPLIFIED, line}, warned_.size() <= most_lines);
 }
 
 void Report::log_counts() const {
@@ -79,12 +80,8 @@ void Report::keep(GltfDiagnostic const& diagnostic, bool log) {
 }
 
 std::string printable(std::string_view text) {
-    constexpr std::size_t longest = 160;
-    std::string line(text.substr(0, longest));
-    if (text.size() > longest) line += "…";
-    std::replace_if(
-        line.begin(), line.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
-    return line;
+    constexpr std::size_t longest = 160; // [bytes]
+    return plain_text(text, longest);
 }
 
 } // namespace alpenglow::gltf

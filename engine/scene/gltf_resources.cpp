@@ -1,9 +1,8 @@
 #include "scene/gltf_resources.h"
 
 #include "scene/gltf_meshopt.h"
+#include "scene/gltf_structure.h"
 #include "scene/gltf_uri.h"
-
-#include <algorithm>
 
 namespace alpenglow::gltf {
 
@@ -26,12 +25,14 @@ bool is_buffer_uri(std::string_view uri) {
     return !uri.starts_with("data:") || type == "application/octet-stream" || type == "application/gltf-buffer";
 }
 
-bool is_viewed(nlohmann::json const& json, std::size_t buffer) {
-    return std::ranges::any_of(json.value("bufferViews", nlohmann::json::array()),
-                               [&](nlohmann::json const& view) { return view["buffer"] == buffer; });
+/// Which buffers have views.
+std::vector<bool> find_viewed(nlohmann::json const& json) {
+    std::vector<bool> viewed(member(json, "buffers").size());
+    for (nlohmann::json const& view : member(json, "bufferViews")) viewed[view["buffer"].get<std::size_t>()] = true;
+    return viewed;
 }
 
-std::vector<std::byte> read_buffer(Source& source, std::size_t index, Report& report) {
+std::vector<std::byte> read_buffer(Source& source, std::size_t index, bool viewed, Report& report) {
     nlohmann::json const& json = source.json["buffers"][index];
     std::string const pointer = "/buffers/" + std::to_string(index);
     auto const length = json.at("byteLength").get<std::uint64_t>();
@@ -39,7 +40,7 @@ std::vector<std::byte> read_buffer(Source& source, std::size_t index, Report& re
     bool const in_chunk = uri == json.end();
     if (in_chunk && is_meshopt_fallback(json)) return {};
     if (in_chunk && !(source.binary && index == 0)) {
-        if (is_viewed(source.json, index)) report.fail(pointer, "has no uri, and is not the binary chunk of a .glb");
+        if (viewed) report.fail(pointer, "has no uri, and is not the binary chunk of a .glb");
         report.warn(pointer + " has no uri, and nothing reads it");
         return {};
     }
@@ -60,9 +61,14 @@ std::vector<std::byte> read_buffer(Source& source, std::size_t index, Report& re
 
 std::vector<std::vector<std::byte>> read_buffers(Source& source, Report& report) {
     std::vector<std::vector<std::byte>> buffers;
-    std::size_t const count = source.json.contains("buffers") ? source.json["buffers"].size() : 0;
-    buffers.reserve(count);
-    for (std::size_t i = 0; i < count; ++i) buffers.push_back(read_buffer(source, i, report));
+    std::vector<bool> const viewed = find_viewed(source.json);
+    buffers.reserve(viewed.size());
+    std::uint64_t bytes = 0;
+    for (std::size_t i = 0; i < viewed.size(); ++i) {
+        buffers.push_back(read_buffer(source, i, viewed[i], report));
+        bytes += buffers.back().size();
+        check_file_bytes(bytes, "/buffers/" + std::to_string(i), report);
+    }
     return buffers;
 }
 

@@ -214,6 +214,10 @@ constexpr auto rules = std::to_array<Rule>({
     number_at("materials/*/extensions/KHR_materials_emissive_strength/emissiveStrength", 0),
     number_at("materials/*/extensions/KHR_materials_ior/ior", 0),
     number_at("materials/*/extensions/KHR_materials_specular/specularFactor", 0, 1),
+    object_at("materials/*/extensions/KHR_materials_specular/specularTexture"),
+    index_at("materials/*/extensions/KHR_materials_specular/specularTexture/index", "textures", needed),
+    object_at("materials/*/extensions/KHR_materials_specular/specularColorTexture"),
+    index_at("materials/*/extensions/KHR_materials_specular/specularColorTexture/index", "textures", needed),
     numbers_at("materials/*/extensions/KHR_materials_volume/attenuationColor", 3, 0, 1),
 });
 

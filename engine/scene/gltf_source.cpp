@@ -159,15 +159,19 @@ nlohmann::json parse_json(Bytes bytes, Report& report) {
 
 } // namespace
 
+void check_file_bytes(std::uint64_t bytes, std::string const& pointer, Report const& report) {
+    int const most = report.limits().largest_scene_file; // [MiB]
+    if (bytes > static_cast<std::uint64_t>(most) << 20)
+        report.refuse_beyond("largest_scene_file", most, pointer, "comes to " + std::to_string(bytes >> 20) + " MiB");
+}
+
 std::vector<std::byte> read_limited(std::filesystem::path const& path, std::string const& pointer,
                                     Report const& report) {
-    int const most = report.limits().largest_scene_file;
     std::error_code no_file;
     std::uint64_t const size = std::filesystem::file_size(path, no_file);
-    if (!no_file && size > std::uint64_t(most) << 20)
-        report.refuse_beyond("largest_scene_file", most, pointer, "has " + std::to_string(size >> 20) + " MiB");
+    if (!no_file) check_file_bytes(size, pointer, report);
     try {
-        return read_file(path, std::uint64_t(most) << 20);
+        return read_file(path, static_cast<std::uint64_t>(report.limits().largest_scene_file) << 20);
     } catch (Error const& error) {
         if (pointer.empty()) throw;
         report.refuse("IO_ERROR", pointer, error.what(), "");
@@ -175,12 +179,16 @@ std::vector<std::byte> read_limited(std::filesystem::path const& path, std::stri
 }
 
 Source read_source(Report& report) {
-    std::vector<std::byte> const file = read_limited(report.file(), "", report);
+    std::vector<std::byte> file = read_limited(report.file(), "", report);
     Source source;
     source.binary = is_binary(file, report.file());
     Parts const parts = source.binary ? split_glb(file, report) : Parts{file, {}};
     source.json = parse_json(parts.json, report);
-    source.chunk.assign(parts.chunk.begin(), parts.chunk.end());
+    if (parts.chunk.empty()) return source;
+    // Moved within the file's own memory: a copy would need as much again.
+    std::ranges::copy(parts.chunk, file.begin());
+    file.resize(parts.chunk.size());
+    source.chunk = std::move(file);
     return source;
 }
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace alpenglow::gltf {
@@ -23,5 +24,8 @@ Source read_source(Report& report);
 /// A file that is no larger than the limit. Throws Error(bad_input); with a pointer, as something that the scene names.
 std::vector<std::byte> read_limited(std::filesystem::path const& path, std::string const& pointer,
                                     Report const& report);
+
+/// Whether all that a scene names, or unpacks, is no larger than a file may be: `bytes` so far. Throws GltfError.
+void check_file_bytes(std::uint64_t bytes, std::string const& pointer, Report const& report);
 
 } // namespace alpenglow::gltf

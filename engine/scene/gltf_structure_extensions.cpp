@@ -53,39 +53,57 @@ bool may_stand(std::string_view extension, std::string_view path) {
                                [&](Place const& place) { return place.extension == extension && place.path == path; });
 }
 
-/// Walks over the whole document; its depth is bounded since check_json_shape. `path` has "*" for indices.
+/// Walks over the whole document; its depth is bounded since check_json_shape.
 class ExtensionWalk {
 public:
     ExtensionWalk(std::set<std::string> declared, Report& report) : declared_(std::move(declared)), report_(report) {}
 
-    void visit(Json const& value, std::string const& path, std::string const& pointer) {
+    void visit(Json const& value) {
         if (value.is_array()) {
             for (std::size_t i = 0; i < value.size(); ++i)
-                if (value[i].is_structured()) visit(value[i], path + "/*", fmt::format("{}/{}", pointer, i));
+                if (value[i].is_structured()) descend("*", std::to_string(i), [&] { visit(value[i]); });
             return;
         }
         for (auto const& [key, child] : value.items()) {
-            if (key == "extensions")
-                check(child, path, pointer + "/extensions");
-            else if (key != "extras" && child.is_structured())
-                visit(child, path.empty() ? key : path + "/" + key, pointer + "/" + printable(key));
+            bool const extensions = key == "extensions";
+            if (!extensions && (key == "extras" || !child.is_structured())) continue;
+            Json const& below = child;
+            if (extensions)
+                descend("", key, [&] { check(below); });
+            else
+                descend(printable(key), printable(key), [&] { visit(below); });
         }
     }
 
 private:
-    void check(Json const& extensions, std::string const& path, std::string const& pointer) {
-        if (!extensions.is_object()) report_.refuse("TYPE_MISMATCH", pointer, "must be an object");
+    /// One string grows and shrinks: a copy for each value would take long in deep documents.
+    template <class Visit> void descend(std::string_view step, std::string_view name, Visit const& visit_below) {
+        std::size_t const path_length = path_.size(), pointer_length = pointer_.size();
+        if (!step.empty()) path_.append(path_.empty() ? "" : "/").append(step);
+        pointer_.append("/").append(name);
+        visit_below();
+        path_.resize(path_length);
+        pointer_.resize(pointer_length);
+    }
+
+    void check(Json const& extensions) {
+        if (!extensions.is_object()) report_.refuse("TYPE_MISMATCH", pointer_, "must be an object");
         for (auto const& [name, body] : extensions.items()) {
-            std::string const place = pointer + "/" + printable(name);
-            if (!body.is_object()) report_.refuse("TYPE_MISMATCH", place, "must be an object");
-            if (!declared_.contains(name)) report_.say("UNDECLARED_EXTENSION", place, "is not named in extensionsUsed");
-            if (!may_stand(name, path)) report_.say("UNEXPECTED_EXTENSION_OBJECT", place, "has no place here");
-            visit(body, path + "/" + name, place);
+            bool const fits = may_stand(name, path_), declared = declared_.contains(name);
+            Json const& below = body;
+            descend(printable(name), printable(name), [&] {
+                if (!below.is_object()) report_.refuse("TYPE_MISMATCH", pointer_, "must be an object");
+                if (!declared) report_.say("UNDECLARED_EXTENSION", pointer_, "is not named in extensionsUsed");
+                if (!fits) report_.say("UNEXPECTED_EXTENSION_OBJECT", pointer_, "has no place here");
+                visit(below);
+            });
         }
     }
 
     std::set<std::string> declared_;
     Report& report_;
+    std::string path_;    ///< with "*" for indices and without "extensions"
+    std::string pointer_;
 };
 
 /// Each name once; returns them.
@@ -149,7 +167,7 @@ void check_extension_objects(Json const& json, Report& report) {
     }
     if (used.contains("KHR_mesh_quantization") && !required.contains("KHR_mesh_quantization"))
         report.say("NON_REQUIRED_EXTENSION", "/extensionsUsed", "KHR_mesh_quantization must be required");
-    ExtensionWalk(used, report).visit(json, "", "");
+    ExtensionWalk(used, report).visit(json);
 }
 
 void check_extension_values(Json const& json, Report& report) {

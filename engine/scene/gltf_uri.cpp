@@ -66,15 +66,15 @@ bool has_scheme(std::string_view uri) {
                        [](unsigned char c) { return std::isalnum(c) || c == '+' || c == '-' || c == '.'; });
 }
 
-bool is_inside(fs::path const& path, fs::path const& folder) {
+/// What is wrong with where a path leads; "" where it stays inside `folder`.
+std::string straying(fs::path const& path, fs::path const& folder) {
     std::error_code error;
     fs::path const real_folder = fs::weakly_canonical(folder.empty() ? fs::path(".") : folder, error);
-    if (error) return false;
-    fs::path const real_path = fs::weakly_canonical(path, error);
-    if (error) return false;
+    fs::path const real_path = error ? fs::path() : fs::weakly_canonical(path, error);
+    if (error) return "can't be looked up: " + error.message();
     auto const [end, ignored] =
         std::mismatch(real_folder.begin(), real_folder.end(), real_path.begin(), real_path.end());
-    return end == real_folder.end();
+    return end == real_folder.end() ? "" : "leaves the scene's folder through a link";
 }
 
 } // namespace
@@ -100,7 +100,9 @@ std::string_view data_uri_type(std::string_view uri) {
 FileUri resolve_file_uri(std::string_view uri, fs::path const& folder) {
     if (uri.starts_with(':')) return {{}, "has an empty scheme", true};
     if (has_scheme(uri)) return {{}, "has a scheme; only data: and files beside the scene are read"};
-    std::string const name = percent_decoded(uri);
+    constexpr std::size_t longest = 4096; // [bytes] Linux's PATH_MAX; the standard library takes long over longer ones
+    std::string const name = percent_decoded(uri.substr(0, 3 * longest));
+    if (name.size() > longest) return {{}, "is longer than 4096 bytes"};
     if (name.empty()) return {{}, "is empty"};
     if (has_scheme(name)) return {{}, "has a scheme; only data: and files beside the scene are read"};
     if (name.find('\0') != std::string::npos) return {{}, "holds a NUL"};
@@ -111,7 +113,7 @@ FileUri resolve_file_uri(std::string_view uri, fs::path const& folder) {
         return {{}, "goes up with \"..\"; only files beside the scene are read"};
     }
     fs::path const path = folder / relative;
-    if (!is_inside(path, folder)) return {{}, "leaves the scene's folder through a link"};
+    if (std::string reason = straying(path, folder); !reason.empty()) return {{}, std::move(reason)};
     return {path, {}};
 }
 

@@ -53,7 +53,11 @@ enum class TextureFilter : std::uint8_t { nearest, linear };
 struct Picture {
     std::string name;
     std::uint32_t width = 0, height = 0;
-    std::vector<std::uint8_t> rgba;     ///< 8 bits, as stored in the file
+    std::vector<std::uint8_t> rgba;     ///< as stored in the file; empty where the file has 16 bits a channel
+    std::vector<std::uint16_t> rgba16 = {}; ///< such a file's, as stored
+
+    bool deep() const { return !rgba16.empty(); }
+    std::size_t bytes() const { return rgba.size() + rgba16.size() * sizeof(std::uint16_t); }
 };
 
 struct Texture {
@@ -68,7 +72,7 @@ struct Texture {
     explicit operator bool() const { return picture != none; }
 };
 
-/// glTF metallic-roughness. Base colour and emission pictures are sRGB, the others linear.
+/// glTF metallic-roughness. Pictures of base colour, emission and reflectance are sRGB, the others linear.
 struct Material {
     std::string name;
     glm::vec4 base_color{1};
@@ -80,7 +84,11 @@ struct Material {
     float alpha_cutoff = 0.5f;
     bool double_sided = false;
     float specular = 1;                 ///< weight of a dielectric's specular part, 0 to 1
-    float reflectance = usual_reflectance; ///< of a dielectric at normal incidence, 0 to largest_reflectance
+    /// Of a dielectric at normal incidence, the mean of its colours; drawn as largest_reflectance where it is above.
+    float reflectance = usual_reflectance;
+    glm::vec3 reflectance_shares{1 / 3.0f}; ///< of the colours in `reflectance`; their sum is 1
+    Texture specular_texture;           ///< its alpha multiplies `specular`
+    Texture reflectance_texture;        ///< its colours multiply those of `reflectance`
     bool unlit = false;                 ///< shows its base colour as a white surface that faces the sun shows white
 
     static constexpr float usual_reflectance = 0.04f; ///< an index of refraction of 1.5

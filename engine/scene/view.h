@@ -70,11 +70,18 @@ View with_scene_camera(View view, std::vector<SceneCamera> const& cameras, doubl
 /// scene.
 Geodetic sun_anchor(View const& view);
 
+/// What is around a scene in place of a planet.
+struct Studio {
+    glm::dvec3 fill{0};     ///< irradiance of an even light from all sides, relative to the sun's
+    glm::dvec3 backdrop{0}; ///< radiance of what is behind the scene
+};
+
 /// A view with everything looked up: what the renderer draws.
 struct World {
     Planet planet;
     Camera camera;
     glm::dvec3 to_sun{0, 0, 1}; ///< unit, world
+    std::optional<Studio> studio{}; ///< where given, the planet has no body and no air: only its sun shines
 };
 
 /// Throws Error(bad_input) where the camera is inside the planet.

@@ -13,6 +13,7 @@ struct AirRay {
     float along;         // r0 mu0 [m]: distance travelled since the closest approach to the centre; negative before it
     float sun_along;     // r0 mu_s0 [m]
     float nu;            // cosine between the ray's direction and the direction to the sun
+    float along_low;     // what rounding took from `along` [m]; from far outside the air it moves the limb by a metre
 };
 
 // A point of a ray.
@@ -31,8 +32,9 @@ struct AirSegment {
 
 // A ray that starts at altitude h [m] >= -R/2. Directions are unit vectors; mu, mu_s and nu their cosines.
 INLINE AirRay make_air_ray(float ground_radius, float h, float mu, float mu_s, float nu) {
-    float r = ground_radius + h;
-    return AirRay(ground_radius, h, r * mu, r * mu_s, nu);
+    TwoFloat r = two_sum(ground_radius, h);
+    TwoFloat along = two_product(r.high, mu);
+    return AirRay(ground_radius, h, along.high, r.high * mu_s, nu, along.low + r.low * mu);
 }
 
 // The altitude [m] whose power r² - R² is given [m²]; 0 or less below R.
@@ -47,8 +49,8 @@ INLINE float power_above_origin(AirRay ray, float h) {
     return (h - ray.altitude) * (2.0f * ray.ground_radius + h + ray.altitude);
 }
 
-// The altitude [m] at distance t [m]. In float, on Earth: within 0.03 m for an origin below 100 km; for one above that
-// `enter_air` has brought down to the top, 0.13 m from 400 km, 0.25 m from 1000 km and 17 m from 20 000 km.
+// The altitude [m] at distance t [m]. In float, on Earth, inside the air: within 0.05 m for an origin there, or for one
+// up to 20 000 km high that `enter_air` has brought down to the top.
 INLINE float altitude_at(AirRay ray, float t) {
     float power = power_from_altitude(ray.ground_radius, ray.altitude) + t * (2.0f * ray.along + t);
     return altitude_from_power(ray.ground_radius, power);
@@ -86,18 +88,40 @@ INLINE bool ray_hits_ground(AirRay ray) {
     return ray.along < 0.0f && ray.along * ray.along >= power_from_altitude(ray.ground_radius, ray.altitude);
 }
 
+// along² + the power of altitude h above the origin [m²], for an origin far above it: two numbers of the square of the
+// planet's radius nearly cancel, so that both are kept with what rounding takes from them.
+INLINE float squared_along_at(AirRay ray, float h) {
+    TwoFloat square = two_product(ray.along, ray.along);
+    TwoFloat down = two_sum(h, -ray.altitude), sum = two_sum(2.0f * ray.ground_radius, h + ray.altitude);
+    TwoFloat power = two_product(down.high, sum.high);
+    float low = square.low + 2.0f * ray.along * ray.along_low + power.low + down.high * sum.low + down.low * sum.high;
+    return (square.high + power.high) + low;
+}
+
 // The same ray from where it enters the air, `distance` [m] ahead; unchanged, with 0, for an origin inside. For a ray
 // that misses the air `distance` means nothing, and its `air_segment` is empty.
 INLINE AirRay enter_air(Atmosphere atmosphere, AirRay ray, OUT(float) distance) {
     bool outside = ray.altitude > atmosphere.top_altitude;
     float power = power_above_origin(ray, atmosphere.top_altitude);
-    float root = sqrt(max(ray.along * ray.along + power, 0.0f));
+    float root = sqrt(max(squared_along_at(ray, atmosphere.top_altitude), 0.0f));
     distance = outside && ray.along < 0.0f ? -power / (root - ray.along) : 0.0f;
     AirRay entered = ray;
     entered.altitude = min(ray.altitude, atmosphere.top_altitude);
     entered.along = outside ? (ray.along < 0.0f ? -root : root) : ray.along;
+    entered.along_low = 0.0f;
     entered.sun_along = ray.sun_along + distance * ray.nu;
     return entered;
+}
+
+// What lies at distance t [m] of a ray from anywhere: from outside the air told from where the ray enters it, since from
+// 20 000 km altitudes would be 17 m off.
+INLINE AirPoint place_at(Atmosphere atmosphere, AirRay ray, float t) {
+    float entry = 0.0f;
+    AirRay inside = enter_air(atmosphere, ray, entry);
+    bool enters = entry > 0.0f && closest_altitude(ray) < atmosphere.top_altitude;
+    AirPoint from_entry = air_point_at(inside, t - entry), from_origin = air_point_at(ray, t);
+    return AirPoint(enters ? from_entry.altitude : from_origin.altitude, enters ? from_entry.mu : from_origin.mu,
+                    enters ? from_entry.mu_s : from_origin.mu_s);
 }
 
 // The part of the ray inside the air and above the ground, for an origin inside the air.

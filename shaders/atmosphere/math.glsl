@@ -8,6 +8,29 @@ CONSTANT float PI = 3.14159265358979f;
 CONSTANT float GOLDEN_ANGLE = 2.39996322972865f; // [rad]
 CONSTANT float TINY = 1e-30f;                    // keeps 0/0 at 0 and log(0) finite
 
+// A number as the sum of two: `low` is what rounding took from `high`.
+struct TwoFloat {
+    float high, low;
+};
+
+// a + b: Knuth, The Art of Computer Programming, volume 2, section 4.2.2.
+INLINE TwoFloat two_sum(float a, float b) {
+    PRECISE float sum = a + b;
+    PRECISE float from_b = sum - a;
+    PRECISE float low = (a - (sum - from_b)) + (b - from_b);
+    return TwoFloat(sum, low);
+}
+
+// a b: Dekker, A floating-point technique for extending the available precision, 1971. Factors below 1e16.
+INLINE TwoFloat two_product(float a, float b) {
+    PRECISE float product = a * b;
+    PRECISE float wide_a = 4097.0f * a, wide_b = 4097.0f * b; // 2^12 + 1 halves the 24 digits
+    PRECISE float a_high = wide_a - (wide_a - a), b_high = wide_b - (wide_b - b);
+    PRECISE float a_low = a - a_high, b_low = b - b_high;
+    PRECISE float low = ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low;
+    return TwoFloat(product, low);
+}
+
 // (1 - exp(-x)) / x, for x >= 0: the mean transmittance inside a homogeneous layer of optical depth x. 1 at x = 0.
 // Series below 1/8, where the difference would cancel; relative error 3e-7 in float. `through` is exp(-x).
 INLINE float mean_transmittance_of(float x, float through) {

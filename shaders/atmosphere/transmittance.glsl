@@ -20,7 +20,7 @@ INLINE vec2 transmittance_uv_from_altitude_along(Atmosphere atmosphere, float al
     float radius = atmosphere.ground_radius;
     float rho = sqrt(power_from_altitude(radius, h));
     float rho_top = sqrt(power_from_altitude(radius, atmosphere.top_altitude));
-    AirRay ray = AirRay(radius, h, max(along, -rho), 0.0f, 0.0f);
+    AirRay ray = AirRay(radius, h, max(along, -rho), 0.0f, 0.0f, 0.0f);
     float nearest = atmosphere.top_altitude - h;
     float farthest = rho + rho_top;
     float x = (distance_out_of(ray, atmosphere.top_altitude) - nearest) / (farthest - nearest);

@@ -1,6 +1,6 @@
 // The march from the camera to the surface or out of the air, with the sun's light seen through the shadow cascades.
-// A ray is cut in three: before, inside and behind the span where a mesh can shade the air. The span has at least half of
-// the samples, evenly; the rest are placed by altitude. Included by the lighting pass, whose images it reads.
+// A ray is cut in three: before, inside and behind the span where a mesh can shade the air. The span has half of the
+// samples or all, evenly, fewer where it is short; the rest are placed by altitude. Included by the lighting pass, whose images it reads.
 #ifndef ALPENGLOW_FRAME_AIR_MARCH
 #define ALPENGLOW_FRAME_AIR_MARCH
 #include "atmosphere/inscattering.glsl"
@@ -161,6 +161,17 @@ vec3 segment_transmittance(AirRay ray, float end, vec3 marched) {
     return mix(marched, table.transmittance, table.trust);
 }
 
+const float FULL_DEPTH = 0.016; // tuned: the extinction along 500 m of clear air near the ground
+
+// Samples for the stretch that meshes can shade: half of all, and fewer where its optical depth is below FULL_DEPTH. No shadow
+// shows in a few metres of air, and samples that the rest of the ray lacks would show as an edge in the sky.
+int shaded_samples(Atmosphere atmosphere, AirRay ray, Span shaded) {
+    float lowest = min(altitude_at(ray, shaded.begin), altitude_at(ray, shaded.end));
+    vec3 extinction = medium_at(atmosphere, lowest).extinction;
+    float depth = max(extinction.x, max(extinction.y, extinction.z)) * (shaded.end - shaded.begin);
+    return int(round(float((frame.samples + 1) / 2) * min(depth / FULL_DEPTH, 1.0)));
+}
+
 // `distance` [m] to the surface, negative for the sky. Everything relative to the sun's irradiance above the air.
 AirLight march_air(ivec2 pixel, AirRay from_camera, vec3 light, float distance) {
     Atmosphere atmosphere = frame.atmosphere; // read once, before the loops
@@ -177,11 +188,10 @@ AirLight march_air(ivec2 pixel, AirRay from_camera, vec3 light, float distance) 
     if (shaded.end > shaded.begin) {
         bool whole = shaded.end - shaded.begin > 0.98 * end;
         if (whole) shaded = Span(0.0, end);
-        inside = whole ? frame.samples : (frame.samples + 1) / 2;
+        inside = whole ? frame.samples : shaded_samples(atmosphere, ray, shaded);
         rest = frame.samples - inside;
-    } else {
-        shaded = Span(end, end);
     }
+    if (inside == 0) shaded = Span(end, end);
     float dither = 0.5;
     if ((frame.flags & FRAME_MARCH_DITHER) != 0) dither = gradient_noise(vec2(pixel) + 5.588238 * float(frame.sample_index));
     AirLight between = march_shaded(atmosphere, ray, phases, light, entry, shaded, inside, dither);

@@ -9,6 +9,8 @@ layout(set = 1, binding = MATERIAL_METALLIC_ROUGHNESS_SLOT) uniform sampler2D me
 layout(set = 1, binding = MATERIAL_NORMAL_SLOT) uniform sampler2D normal_texture;
 layout(set = 1, binding = MATERIAL_OCCLUSION_SLOT) uniform sampler2D occlusion_texture;
 layout(set = 1, binding = MATERIAL_EMISSION_SLOT) uniform sampler2D emission_texture;
+layout(set = 1, binding = MATERIAL_SPECULAR_SLOT) uniform sampler2D specular_texture;
+layout(set = 1, binding = MATERIAL_REFLECTANCE_SLOT) uniform sampler2D reflectance_texture;
 
 // Where the vertex's two UV sets lie in texture `slot`.
 vec2 uv_of(int slot, vec4 uv) {

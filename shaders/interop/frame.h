@@ -18,6 +18,8 @@
 #define FRAME_SUN_DISC 32
 #define FRAME_PROCEDURAL_GROUND 64
 #define FRAME_HAS_AIR 128           // the planet has any
+#define FRAME_STUDIO 256            // no planet: `fill` all round, `backdrop` behind everything
+#define FRAME_STARS 512
 
 // The fine octaves of the procedural ground repeat after this length, so that a position within it is exact in float.
 #define GROUND_PERIOD 8192.0f // [m]
@@ -53,12 +55,14 @@ struct FrameConstants {
     vec3 camera_in_period;         // [m] camera position modulo GROUND_PERIOD
     vec3 to_sun;                   // unit
     vec3 ground_tint;              // albedo of a uniform ground
+    vec3 fill;                     // in a studio: irradiance of the even light all round, relative to the sun's
+    vec3 backdrop;                 // in a studio: radiance
     float pixel_angle;             // [rad] across one pixel at the picture's centre
     int flags;
     int samples;                   // of the march
     int sample_index;              // which supersample this is
 };
-CHECK_SIZE(FrameConstants, 720);
+CHECK_SIZE(FrameConstants, 744);
 
 SHADER_NAMESPACE_END
 #endif

@@ -3,7 +3,7 @@
 //   normal    RGBA16 SNORM      octahedral, world axes; xy shading normal, zw surface normal: below 0.005 degrees
 //   material  RGBA8 UNORM       perceptual roughness, metalness, gloss (0: Lambert alone): 1/510; alpha: a dielectric's
 //                               reflectance at normal incidence over LARGEST_REFLECTANCE: 0.0004
-//   emission  B10G11R11 UFLOAT  radiance relative to the sun's irradiance, 1/64 (blue 1/32) relative
+//   emission  B10G11R11 UFLOAT  radiance relative to the sun's irradiance, 1/128 (blue 1/64) relative
 //   depth     D32 SFLOAT        reversed, infinite: 6e-8 relative
 #ifndef ALPENGLOW_INTEROP_GBUFFER_H
 #define ALPENGLOW_INTEROP_GBUFFER_H
@@ -18,7 +18,9 @@
 #define MATERIAL_NORMAL_SLOT 3
 #define MATERIAL_OCCLUSION_SLOT 4
 #define MATERIAL_EMISSION_SLOT 5
-#define MATERIAL_TEXTURES 5
+#define MATERIAL_SPECULAR_SLOT 6
+#define MATERIAL_REFLECTANCE_SLOT 7
+#define MATERIAL_TEXTURES 7
 
 // Attachments
 #define GBUFFER_ALBEDO_TARGET 0
@@ -37,6 +39,7 @@
 #define MATERIAL_DOUBLE_SIDED 2
 #define MATERIAL_NORMAL_MAP 4
 #define MATERIAL_UNLIT 8
+#define MATERIAL_SPECULAR_MAPS 16 // one of the textures behind the emission's, or both
 
 #define LARGEST_REFLECTANCE 0.2f // a dielectric's at normal incidence; an index of refraction of 2.6
 
@@ -62,10 +65,11 @@ struct MaterialConstants {
     int flags;         // MATERIAL_…
     int uv_sets;       // bit i: texture i uses the second set
     float specular;    // weight of a dielectric's specular part
-    float reflectance; // of a dielectric at normal incidence
+    float reflectance; // of a dielectric at normal incidence, the mean of its colours
+    vec3 reflectance_shares; // of the colours in it; their sum is 1
     mat3x2 uv_from_vertex[MATERIAL_TEXTURES];
 };
-CHECK_SIZE(MaterialConstants, 184);
+CHECK_SIZE(MaterialConstants, 244);
 
 SHADER_NAMESPACE_END
 #endif

@@ -9,6 +9,7 @@
 #define CONSTANT inline constexpr
 #define OUT(type) type&
 #define INOUT(type) type&
+#define PRECISE
 #ifdef ALPENGLOW_SHADER_DOUBLE
 #include "interop/language_double.h"
 #else
@@ -21,6 +22,7 @@
 #define CONSTANT const
 #define OUT(type) out type
 #define INOUT(type) inout type
+#define PRECISE precise // evaluated as written: no rearranging
 #define SHADER_NAMESPACE_BEGIN
 #define SHADER_NAMESPACE_END
 #define CHECK_SIZE(type, bytes)

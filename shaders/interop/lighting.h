@@ -20,7 +20,8 @@
 
 SHADER_NAMESPACE_BEGIN
 struct LightingPush {
-    int show; // LIGHTING_…
+    int show;            // LIGHTING_…
+    vec2 celestial_turn; // cosine and sine of the angle from the world's axes to those of the stars
 };
 SHADER_NAMESPACE_END
 #endif

@@ -4,7 +4,7 @@
 #include "encoding/color.glsl"
 #include "interop/display.h"
 
-// Exposure, tone curve, sRGB, and a triangular dither of one step after the curve, so that 8 bits show no band.
+// sRGB, and a triangular dither of one step, so that 8 bits show no band.
 layout(local_size_x = WORKGROUP_SIZE, local_size_y = WORKGROUP_SIZE) in;
 layout(binding = DISPLAY_SOURCE_SLOT) uniform sampler2D source;
 layout(binding = DISPLAY_PICTURE_SLOT, rgba8) uniform writeonly image2D picture;
@@ -23,8 +23,7 @@ vec3 dither_at(vec2 pixel) {
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, imageSize(picture)))) return;
-    vec3 exposed = texelFetch(source, pixel, 0).rgb * push.exposure;
-    vec3 encoded = srgb_from_linear3(tone_curve(push.curve, exposed));
+    vec3 encoded = srgb_from_linear3(texelFetch(source, pixel, 0).rgb);
     if (push.dither != 0) encoded += dither_at(vec2(pixel));
     imageStore(picture, pixel, vec4(clamp(encoded, 0.0, 1.0), 1.0));
 }

@@ -22,6 +22,7 @@ layout(set = 0, binding = LIGHTING_LIT_SLOT, rgba32f) uniform writeonly image2D 
 layout(push_constant, scalar) uniform Push { LightingPush push; };
 
 #include "frame/air_march.glsl"
+#include "frame/celestial.glsl"
 
 bool has_flag(int flag) { return (frame.flags & flag) != 0; }
 
@@ -60,7 +61,7 @@ vec3 surface_radiance(ivec2 pixel, PixelRay ray, AirPoint place, vec3 light) {
         sky = sample_diffuse_irradiance(multiple_scattering_table, frame.atmosphere, place.altitude, place.mu_s,
                                         clamp(dot(shading, up), -1.0, 1.0), clamp(dot(shading, frame.to_sun), -1.0, 1.0));
         sun = sample_sun_transmittance(transmittance_table, frame.atmosphere, place.altitude, place.mu_s);
-    } else {
+    } else if (!has_flag(FRAME_STUDIO)) {
         sun *= sun_above_horizon(frame.atmosphere, place.altitude, place.mu_s);
     }
     float visibility = 1.0;
@@ -68,19 +69,11 @@ vec3 surface_radiance(ivec2 pixel, PixelRay ray, AirPoint place, vec3 light) {
         visibility = surface_visibility(light, frame.light_from_world * facing);
         visibility *= smoothstep(0.0, 0.02, dot(facing, frame.to_sun)); // what turns away from the sun is in its own shadow
     }
-    vec3 ambient = sky * albedo.a;
+    vec3 ambient = (has_flag(FRAME_STUDIO) ? frame.fill : sky) * albedo.a;
 
     float n_v = clamp(dot(shading, to_camera), 0.0, 1.0);
     vec3 radiance = reflect_light(surface, shading, to_camera, frame.to_sun) * sun * visibility + reflect_ambient(surface, n_v) * ambient;
     return radiance * frame.atmosphere.solar_irradiance + texelFetch(emission_image, pixel, 0).rgb;
-}
-
-// The sun's disc, without limb darkening, softened over a pixel; radiance for a unit of irradiance.
-float sun_disc(PixelRay ray) {
-    float angle = length(ray.direction - frame.to_sun); // 2 sin(angle/2): exact enough for a small one
-    float radius = frame.atmosphere.sun_angular_radius;
-    float share = clamp((radius - angle) / frame.pixel_angle + 0.5, 0.0, 1.0);
-    return has_flag(FRAME_SUN_DISC) ? share / (PI * radius * radius) : 0.0;
 }
 
 vec3 cascade_color(vec2 light) {
@@ -98,12 +91,14 @@ void main() {
                                       dot(frame.camera_up, frame.to_sun), dot(ray.direction, frame.to_sun));
     vec3 light_direction = frame.light_from_world * ray.direction;
 
-    vec3 radiance = vec3(sun_disc(ray)) * frame.atmosphere.solar_irradiance;
-    if (ground) radiance = surface_radiance(pixel, ray, air_point_at(from_camera, ray.distance), light_direction * ray.distance);
-    if (has_flag(FRAME_AIR)) {
-        AirLight air = march_air(pixel, from_camera, light_direction, ray.distance);
-        radiance = radiance * air.transmittance + air.inscattered * frame.atmosphere.solar_irradiance;
-    }
+    AirLight air = no_air_light();
+    if (has_flag(FRAME_AIR)) air = march_air(pixel, from_camera, light_direction, ray.distance);
+    vec3 in_front = air.inscattered * frame.atmosphere.solar_irradiance;
+    AirPoint place = place_at(frame.atmosphere, from_camera, ray.distance);
+    vec3 behind = ground ? surface_radiance(pixel, ray, place, light_direction * ray.distance)
+                         : celestial_radiance(pixel, in_front, push.celestial_turn);
+    if (has_flag(FRAME_STUDIO) && !ground) behind = frame.backdrop;
+    vec3 radiance = behind * air.transmittance + in_front;
     if (push.show == LIGHTING_SHOW_CASCADES && ground) {
         float grey = dot(radiance, vec3(0.3, 0.6, 0.1));
         radiance = grey * 2.0 * cascade_color(light_direction.xy * ray.distance);

@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
-#include "encoding/color.glsl"
+#include "encoding/tone_curves.glsl"
 #include "encoding/octahedral.glsl"
 #include "interop/display.h"
 
@@ -9,6 +9,8 @@
 layout(local_size_x = WORKGROUP_SIZE, local_size_y = WORKGROUP_SIZE) in;
 layout(binding = SHOW_IMAGE_SLOT) uniform sampler2DArray shown;
 layout(binding = SHOW_PICTURE_SLOT, rgba8) uniform writeonly image2D picture;
+layout(binding = SHOW_EXPOSURE_SLOT) uniform sampler2D exposure;
+layout(constant_id = 0) const int curve = CURVE_FILMIC;
 layout(push_constant, scalar) uniform Push { ShowPush push; };
 
 // The order of render/frame_graph.h: ShowScale.
@@ -23,12 +25,12 @@ vec3 scale_color(float x) {
 }
 
 vec3 encoded(vec4 texel) {
-    vec3 exposed = texel.rgb * push.exposure;
+    vec3 exposed = texel.rgb * texelFetch(exposure, ivec2(0), 0).r;
     // 0.1 m to 100 000 km, nine decades; nothing there is black
     float decades = log2(push.near_plane / max(texel.r, 1e-12)) * 0.30103;
     switch (push.scale) {
     case ENCODED: return texel.rgb;
-    case RADIANCE: return srgb_from_linear3(tone_curve(push.curve, exposed));
+    case RADIANCE: return srgb_from_linear3(tone_curve(curve, exposed));
     case UNIT: return srgb_from_linear3(clamp(texel.rgb, 0.0, 1.0));
     case NORMAL: return unit_from_octahedral(texel.xy) * 0.5 + 0.5;
     case DEPTH: return texel.r > 0.0 ? scale_color((decades + 1.0) / 9.0) : vec3(0.0);

@@ -4,6 +4,8 @@
 #include "gpu/transfer.h"
 #include "interop/display.h"
 #include "render/executor.h"
+#include "render/passes/accumulate.h"
+#include "render/passes/exposure.h"
 #include "render/passes/post_aa.h"
 #include "support/gpu_test.h"
 
@@ -30,10 +32,14 @@ protected:
         FrameGraph graph;
         ImageId const read = graph.import(*input, "radiance", ShowScale::radiance, true);
         ImageId const written = graph.import(picture, "picture", ShowScale::encoded, false);
+        ImageId const exposure = graph.add_image("exposure", {VK_FORMAT_R32G32B32A32_SFLOAT, {1, 1}}, ShowScale::number);
+        ImageId const mean = graph.add_image("mean", {VK_FORMAT_R32G32B32A32_SFLOAT, EXTENT}, ShowScale::radiance);
+        add_exposure(graph, read, exposure, settings, ADAPTED_AT_ONCE);
+        ImageId const toned = add_accumulate(graph, read, mean, exposure, settings, 0);
         if (settings.post_aa == "fxaa") {
-            add_post_aa(graph, add_display(graph, read, DisplaySource::radiance, settings), written);
+            add_post_aa(graph, add_display(graph, toned, settings), written);
         } else {
-            add_display_to(graph, read, DisplaySource::radiance, settings, written);
+            add_display_to(graph, toned, settings, written);
         }
         Executor executor(device());
         executor.submit(graph);
@@ -51,7 +57,7 @@ protected:
     }
 };
 
-constexpr char const* CURVES[] = {"exponential", "filmic"};
+constexpr char const* CURVES[] = {"filmic", "exponential", "reinhard", "aces", "lottes", "uchimura", "agx", "linear"};
 
 /// The most columns in a row whose most frequent value is the same, in one row of the picture.
 int longest_run(std::vector<int> const& picture, std::uint32_t row) {

@@ -16,7 +16,7 @@ protected:
         Settings settings = plain_settings();
         settings.samples = 6;
         settings.cascade_size = 256;
-        settings.sun_disc = true;
+        settings.sun_disc = settings.stars = true;
         for (bool const air : {true, false}) {
             settings.air = air;
             for (double const altitude : {2.0, 900.0, 12e3, 1e5, 4e5, 2e7}) {

@@ -4,7 +4,7 @@
 #include "core/files.h"
 #include "scene/gltf.h"
 #include "scene/gltf_report.h"
-#include "support/files.h"
+#include "support/temporary_folder.h"
 
 #include <nlohmann/json.hpp>
 
@@ -53,13 +53,14 @@ private:
 /// One triangle: (0,0,0), (1,0,0), (0,1,0), no normals.
 GltfBuilder one_triangle();
 
-/// Loads text as a .gltf of its own folder.
-Scene load_text(std::string const& text, GltfOptions const& options = {}, GltfSummary* summary = nullptr);
+/// Loads text as a file of its own folder.
+Scene load_text(std::string const& text, GltfOptions const& options = {}, GltfSummary* summary = nullptr,
+                std::string const& name = "scene.gltf");
 /// The message of the error that loading gives, without the file's name, the code and the usual advice; "" where it
 /// loads.
 std::string error_of(std::string const& text);
 /// What loading says, "refused CODE" at the end of it, each once: "EMPTY_ENTITY, refused TYPE_MISMATCH".
-std::string codes_of(std::string const& text, GltfOptions const& options = {});
+std::string codes_of(std::string const& text, GltfOptions const& options = {}, std::string const& name = "scene.gltf");
 std::string without_usual_advice(std::string line);
 
 std::string base64(std::span<std::byte const> bytes);
@@ -125,10 +126,10 @@ inline GltfBuilder one_triangle() {
     return builder;
 }
 
-inline Scene load_text(std::string const& text, GltfOptions const& options, GltfSummary* summary) {
+inline Scene load_text(std::string const& text, GltfOptions const& options, GltfSummary* summary,
+                       std::string const& name) {
     TemporaryFolder const folder;
-    write_text_file(folder.path() / "scene.gltf", text);
-    return load_gltf(folder.path() / "scene.gltf", options, summary);
+    return load_gltf(folder.write(name, text), options, summary);
 }
 
 inline std::string without_usual_advice(std::string line) {
@@ -152,11 +153,11 @@ inline std::string error_of(std::string const& text) {
     return "";
 }
 
-inline std::string codes_of(std::string const& text, GltfOptions const& options) {
+inline std::string codes_of(std::string const& text, GltfOptions const& options, std::string const& name) {
     GltfSummary summary;
     std::string refusal;
     try {
-        load_text(text, options, &summary);
+        load_text(text, options, &summary, name);
     } catch (GltfError const& error) {
         refusal = "refused " + error.diagnostic().code;
     }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <random>
@@ -22,7 +23,7 @@ public:
     std::string bytes(std::string text);
     /// Changes one to three values of a JSON text, which stays JSON.
     std::string json(std::string const& text);
-    /// Changes a .glb's header, its JSON, or the order and lengths of its chunks.
+    /// Changes a .glb's header, its JSON, or the order and lengths of its chunks. 20 bytes or more.
     std::string glb(std::string const& file);
 
     std::size_t below(std::size_t count) { return count == 0 ? 0 : random_() % count; }
@@ -100,7 +101,8 @@ inline void Mutator::damage_value(nlohmann::json& value) {
         double const number = value.get<double>();
         std::array<double, 6> const near{number + 1, number - 1, -number, 2 * number, number / 2, number * 65536};
         double const changed = near[below(near.size())];
-        if (changed == static_cast<double>(static_cast<std::int64_t>(changed)))
+        constexpr double exact = 9007199254740992; // 2^53
+        if (std::abs(changed) < exact && changed == std::floor(changed))
             value = static_cast<std::int64_t>(changed);
         else
             value = changed;
@@ -126,7 +128,7 @@ inline std::string Mutator::json(std::string const& text) {
 }
 
 inline std::string Mutator::glb(std::string const& file) {
-    std::size_t const json_size = detail::word_at(file, 12);
+    std::size_t const json_size = std::min<std::size_t>(detail::word_at(file, 12), file.size() - 20);
     std::string const text = file.substr(20, json_size), rest = file.substr(20 + json_size);
     auto const assembled = [&](std::string const& body) {
         auto const size = static_cast<std::uint32_t>(12 + body.size());

@@ -41,7 +41,7 @@ Planet airless_planet() {
 Settings plain_settings() {
     Settings settings;
     settings.dither = false;
-    settings.sun_disc = false;
+    settings.sun_disc = settings.stars = false;
     return settings;
 }
 

@@ -33,9 +33,36 @@ double worst_altitude(float h0) {
 
 TEST(Geometry, altitude_in_float_keeps_centimetres_along_grazing_rays) {
     for (float const h0 : {0.0f, 2.0f, 100.0f, 3000.0f, 12000.0f, 50000.0f, 100000.0f})
+        EXPECT_LT(worst_altitude(h0), 0.05) << h0;
+    // From above the air squares of 1e13 m² cancel; rounded to 1e6 they would be a metre off. Odd altitudes round too.
+    for (float const h0 : {100.1e3f, 137.317e3f, 200e3f, 400e3f, 733.3333e3f, 1000e3f, 3141.5926e3f, 20000e3f})
         EXPECT_LT(worst_altitude(h0), 0.1) << h0;
-    // From above the air the origin's own power of 1e13 m² rounds to 1e6, which is 0.1 m.
-    for (float const h0 : {200e3f, 400e3f, 1000e3f}) EXPECT_LT(worst_altitude(h0), 0.4) << h0;
+}
+
+TEST(Geometry, places_on_the_ground_are_told_from_anywhere) {
+    Atmosphere const air = test::earth_air();
+    for (float const h0 : {2.0f, 3e4f, 400e3f, 20000e3f})
+        for (float const below : {0.001f, 0.1f, 0.5f}) { // of the way from the horizon to straight down
+            float const mu = -1 + (1 + horizon_mu(R, h0)) * (1 - below);
+            test::reference::Ray const exact{R, h0, mu, 0.3, -0.2};
+            double const t = exact.crossings(0)[0];
+            AirPoint const place = place_at(air, make_air_ray(R, h0, mu, 0.3f, -0.2f), float(t));
+            // Distances of 2e7 m in float, to the place and to the air, are off by 1 m each, on a slope of at most 1.
+            EXPECT_NEAR(place.altitude, 0, h0 > 1e6f ? 2.1 : 0.15) << h0 << ' ' << mu;
+            EXPECT_NEAR(place.mu, exact.mu(t), 1e-5) << h0 << ' ' << mu;
+            EXPECT_NEAR(place.mu_s, exact.mu_s(t), 1e-6) << h0 << ' ' << mu;
+        }
+    AirRay const past = make_air_ray(R, 400e3f, 0.1f, 0, 0); // never meets the air
+    EXPECT_EQ(place_at(air, past, 5e4f).altitude, altitude_at(past, 5e4f));
+}
+
+TEST(Geometry, two_floats_hold_a_sum_and_a_product) {
+    for (float const a : {6.36e6f, 7.3611115e6f, 1e8f / 3})
+        for (float const b : {-0.7123456f, 1.2345678e3f, -2.3456789e6f}) {
+            TwoFloat const sum = two_sum(a, b), product = two_product(a, b);
+            EXPECT_EQ(double(sum.high) + double(sum.low), double(a) + double(b));
+            EXPECT_EQ(double(product.high) + double(product.low), double(a) * double(b));
+        }
 }
 
 TEST(Geometry, altitude_near_the_camera_is_exact) {

@@ -62,6 +62,18 @@ TEST(CommandLine, fly_takes_its_options) {
     EXPECT_EQ(fly.device, 1);
 }
 
+TEST(CommandLine, studio_takes_scenes) {
+    auto const studio = std::get<StudioOptions>(
+        parse("studio a.glb models --size 96x64 --out o.png --scene-index 2 --set aa=4 b.gltf --device 1"));
+    EXPECT_EQ(studio.scenes, (std::vector<std::filesystem::path>{"a.glb", "models", "b.gltf"}));
+    EXPECT_EQ(studio.size, (Extent{96, 64}));
+    EXPECT_EQ(studio.out, "o.png");
+    EXPECT_EQ(studio.scene_index, 2);
+    EXPECT_EQ(studio.overrides, (std::vector<Override>{{"aa", "4"}}));
+    EXPECT_EQ(studio.device, 1);
+    expect_refused("studio", "SCENE");
+}
+
 TEST(CommandLine, render_takes_views_formats_and_settings) {
     auto const render = std::get<RenderOptions>(
         parse("render a.json b.json --scene s.gltf --format png,exr --set samples=64 shafts=off --set show=depth c.json"));

@@ -104,3 +104,21 @@ TEST(BitmapText, draws_only_inside_and_survives_any_byte) {
     draw_text(picture, -20, -5, "edge \xff\x01 \xc3\xa9", 0xffffff, 3);
     EXPECT_EQ(text_width("\xff\x01", 2), text_width("??", 2));
 }
+
+TEST(BitmapText, wrapped_lines_fit_and_lose_nothing_but_spaces_between_words) {
+    std::string const text = "needs a reader of glTF 2.1 and averyverylongwordthatfitsnowhere at all";
+    for (int const width : {30, 60, 100, 1000}) {
+        std::string joined, unbroken;
+        for (std::string const& line : wrap_text(text, 1, width)) {
+            EXPECT_LE(text_width(line, 1), width) << line;
+            joined += line;
+        }
+        std::erase(joined, ' ');
+        std::ranges::copy_if(text, std::back_inserter(unbroken), [](char c) { return c != ' '; });
+        EXPECT_EQ(joined, unbroken) << width;
+    }
+    EXPECT_EQ(wrap_text("two words", 1, text_width("two word", 1)), (std::vector<std::string>{"two", "words"}));
+    EXPECT_EQ(wrap_text(text, 1, 1000), std::vector<std::string>{text});
+    EXPECT_TRUE(wrap_text("", 1, 100).empty());
+    EXPECT_EQ(wrap_text("ab", 1, 1), (std::vector<std::string>{"a", "b"})); // narrower than a letter: one a line
+}

@@ -50,6 +50,57 @@ TEST(GltfExtensions, reflectance_comes_from_index_and_tint) {
     EXPECT_EQ(tinted.specular, 0.5f);
 }
 
+TEST(GltfExtensions, specular_textures_are_read) {
+    Json specular = {{"specularFactor", 0.5},
+                     {"specularTexture", {{"index", 0}, {"texCoord", 1}}},
+                     {"specularColorFactor", {2, 1, 1}},
+                     {"specularColorTexture", {{"index", 0}, {"extensions", {{"KHR_texture_transform", {{"scale", {2, 3}}}}}}}}};
+    GltfBuilder builder = with_material({{"extensions", {{"KHR_materials_specular", specular}, {"KHR_materials_ior", {{"ior", 3}}}}}});
+    builder.json["images"] = Json::array({{{"uri", ONE_PIXEL}}});
+    builder.json["textures"] = Json::array({{{"source", 0}}});
+    Scene const scene = builder.load();
+    ASSERT_EQ(scene.pictures.size(), 1u);
+    Material const& material = scene.materials.at(0);
+    EXPECT_EQ(material.specular_texture.picture, 0u);
+    EXPECT_EQ(material.specular_texture.uv_set, 1);
+    EXPECT_EQ(material.reflectance_texture.picture, 0u);
+    EXPECT_EQ(material.reflectance_texture.uv_from_vertex, (glm::mat3x2(2, 0, 0, 3, 0, 0)));
+    // ((3 - 1) / (3 + 1))^2 = 0.25: colours of 0.5, 0.25, 0.25, which the texture may lower to what can be drawn.
+    EXPECT_NEAR(material.reflectance, 1 / 3.0, 1e-7);
+    EXPECT_NEAR(material.reflectance_shares.r, 0.5, 1e-7);
+    EXPECT_NEAR(material.reflectance_shares.b, 0.25, 1e-7);
+
+    specular["specularTexture"]["index"] = 1;
+    builder.json["materials"][0]["extensions"]["KHR_materials_specular"] = specular;
+    EXPECT_NE(codes_of(builder.gltf()).find("refused UNRESOLVED_REFERENCE"), std::string::npos);
+}
+
+TEST(GltfExtensions, basis_pictures_give_way_to_the_cores) {
+    GltfBuilder builder = with_material({{"emissiveTexture", {{"index", 0}}}});
+    Json const ktx = {{"uri", "picture.ktx2"}, {"mimeType", "image/ktx2"}}, png = {{"uri", ONE_PIXEL}, {"name", "core"}};
+    builder.json["images"] = Json::array({ktx, png});
+    builder.json["extensionsUsed"] = {"KHR_texture_basisu"};
+    Json const basis = {{"KHR_texture_basisu", {{"source", 0}}}};
+    builder.json["textures"] = Json::array({{{"source", 1}, {"extensions", basis}}});
+    Scene const scene = builder.load();
+    ASSERT_EQ(scene.pictures.size(), 1u);
+    EXPECT_EQ(scene.pictures[0].name, "core");
+
+    builder.json["textures"] = Json::array({{{"extensions", basis}}});
+    GltfSummary summary;
+    Scene const without = load_text(builder.gltf(), {}, &summary);
+    EXPECT_FALSE(without.materials.at(0).emission_texture);
+    EXPECT_TRUE(without.pictures.empty());
+    auto const says = [](GltfDiagnostic const& warning) {
+        return warning.message == "/textures/0 has only a KTX2 picture (KHR_texture_basisu), which is not supported: left out";
+    };
+    EXPECT_EQ(std::ranges::count_if(summary.warnings, says), 1);
+
+    builder.json["extensionsRequired"] = {"KHR_texture_basisu"};
+    EXPECT_EQ(error_of(builder.gltf()),
+              "/extensionsRequired/0: KHR_texture_basisu is required and not supported (export the scene without it)");
+}
+
 TEST(GltfExtensions, unlit_is_a_switch) {
     EXPECT_TRUE(material_with({{"KHR_materials_unlit", Json::object()}}).unlit);
     EXPECT_FALSE(material_with(Json::object()).unlit);

@@ -1,7 +1,9 @@
 #include "core/files.h"
 #include "scene/gltf.h"
 #include "scene/gltf_codes.h"
+#include "support/cost.h"
 #include "support/documents.h"
+#include "support/sound_scene.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -59,13 +61,16 @@ Outcome try_file(fs::path const& file, fs::path const& folder) {
     Outcome outcome{.file = file.lexically_relative(folder).generic_string()};
     read_report(file, outcome);
     GltfSummary summary;
-    try {
-        load_gltf(file, {}, &summary);
-    } catch (GltfError const& error) {
-        outcome.refused = true;
-        outcome.said.insert(error.diagnostic().code);
-        outcome.reason = error.diagnostic().pointer + " " + error.diagnostic().message;
-    }
+    test::Cost const cost = test::cost_of([&] {
+        try {
+            EXPECT_EQ(test::fault_of(load_gltf(file, {}, &summary)), "") << file;
+        } catch (GltfError const& error) {
+            outcome.refused = true;
+            outcome.said.insert(error.diagnostic().code);
+            outcome.reason = error.diagnostic().pointer + " " + error.diagnostic().message;
+        }
+    });
+    test::expect_cheap(cost, file.string());
     for (GltfDiagnostic const& warning : summary.warnings) outcome.said.insert(warning.code);
     return outcome;
 }

@@ -1,4 +1,5 @@
 #include "image/codec.h"
+#include "support/deep_png.h"
 #include "support/gltf_builder.h"
 
 #include <gtest/gtest.h>
@@ -126,6 +127,58 @@ TEST(GltfMaterials, large_pictures_are_halved_until_they_fit) {
     EXPECT_EQ(scene.pictures[0].height, 1u);
     // 16 columns of 0, 10, 20, …: halved to 5, 25, …, then to 15, 55, …; the four rows to 15.
     EXPECT_EQ(scene.pictures[0].rgba, (std::vector<std::uint8_t>{15, 15, 7, 255, 55, 15, 7, 255, 95, 15, 7, 255, 135, 15, 7, 255}));
+}
+
+TEST(GltfMaterials, colours_are_halved_as_light) {
+    GltfBuilder builder = with_material({{"emissiveTexture", {{"index", 0}}}, {"normalTexture", {{"index", 1}}}});
+    ByteImage checkers({2, 1});
+    checkers.rgba = {255, 0, 0, 255, 0, 0, 0, 0};
+    std::string const uri = "data:image/png;base64," + base64(encode_png(checkers));
+    builder.json["images"] = Json::array({{{"uri", uri}}, {{"uri", uri}}});
+    Scene const scene = builder.load({.largest_texture = 1});
+    // Half of white's light is 188 in sRGB; alpha is no colour.
+    EXPECT_EQ(scene.pictures.at(scene.materials[0].emission_texture.picture).rgba, (std::vector<std::uint8_t>{188, 0, 0, 128}));
+    EXPECT_EQ(scene.pictures.at(scene.materials[0].normal_texture.picture).rgba, (std::vector<std::uint8_t>{128, 0, 0, 128}));
+}
+
+TEST(GltfMaterials, sixteen_bits_stay_sixteen) {
+    GltfBuilder builder = with_material({{"emissiveTexture", {{"index", 0}}}, {"normalTexture", {{"index", 1}}}});
+    auto const uri = [](DeepImage const& image) { return "data:image/png;base64," + base64(deep_png(image)); };
+    DeepImage const gradient = deep_gradient({4, 1}, 30000, 100);
+    DeepImage checkers({2, 1});
+    checkers.rgba = {65535, 65535, 65535, 65535, 0, 0, 0, 65535};
+    builder.json["images"] = Json::array({{{"uri", uri(checkers)}}, {{"uri", uri(gradient)}}});
+
+    Scene const whole = builder.load();
+    Picture const& picture = whole.pictures.at(whole.materials[0].normal_texture.picture);
+    EXPECT_EQ(picture.rgba16, gradient.rgba);
+    EXPECT_TRUE(picture.rgba.empty());
+
+    Scene const small = builder.load({.largest_texture = 1});
+    EXPECT_EQ(small.pictures.at(small.materials[0].normal_texture.picture).rgba16,
+              (std::vector<std::uint16_t>{30150, 30150, 30150, 65535}));
+    // 1.055 * 0.5^(1 / 2.4) - 0.055 = 0.735357
+    std::uint16_t const half = 48192;
+    EXPECT_EQ(small.pictures.at(small.materials[0].emission_texture.picture).rgba16,
+              (std::vector<std::uint16_t>{half, half, half, 65535}));
+}
+
+TEST(GltfMaterials, pictures_in_all_are_limited) {
+    GltfBuilder builder = with_material({{"normalTexture", {{"index", 0}}}, {"emissiveTexture", {{"index", 1}}}});
+    builder.json["images"] = Json::array({{{"uri", png_uri(512, 512)}}, {{"uri", png_uri(512, 511)}}});
+    GltfOptions options;
+    options.limits.most_picture_memory = 1; // a picture of 512 x 512 takes it all
+    EXPECT_TRUE(codes_of(builder.gltf(), options).ends_with("refused LIMIT_EXCEEDED"));
+    options.largest_texture = 256;
+    EXPECT_EQ(builder.load(options).pictures.size(), 2u) << "what counts is what stays after scaling";
+}
+
+TEST(GltfMaterials, the_line_about_a_scaled_picture_names_the_setting) {
+    GltfBuilder builder = with_material({{"normalTexture", {{"index", 0}}}});
+    builder.json["images"][0] = {{"uri", png_uri(16, 4)}};
+    GltfSummary summary;
+    load_text(builder.gltf(), {.largest_texture = 5}, &summary);
+    EXPECT_EQ(summary.warnings.back().message, "/images/0 of 16 x 4 is scaled down to 4 x 1 (setting largest_texture)");
 }
 
 TEST(GltfMaterials, the_default_material_stands_after_the_files_own) {

@@ -4,6 +4,7 @@
 #include "image/resample.h"
 
 #include "core/error.h"
+#include "support/deep_png.h"
 
 #include <gtest/gtest.h>
 
@@ -43,6 +44,17 @@ TEST(Png, comes_back_to_the_bit) {
     }
 }
 
+TEST(Png, sixteen_bits_come_back_to_the_bit) {
+    DeepImage image = test::deep_gradient({300, 2}, 12345, 1);
+    image.at(7, 1)[3] = 54321;
+    auto const bytes = test::deep_png(image);
+    EXPECT_EQ(read_picture_header(bytes).bits, 16);
+    EXPECT_EQ(read_picture_header(encode_png(noise({4, 4}, 255))).bits, 8);
+    DeepImage const decoded = decode_deep_picture(bytes);
+    EXPECT_EQ(decoded.extent, image.extent);
+    EXPECT_EQ(decoded.rgba, image.rgba);
+}
+
 TEST(Png, compresses_a_smooth_picture) {
     ByteImage image = uniform({256, 256}, 0);
     for (std::uint32_t y = 0; y < 256; ++y) {
@@ -56,6 +68,9 @@ TEST(Png, garbage_and_truncated_files_are_refused) {
     bytes.resize(bytes.size() / 2);
     EXPECT_THROW(decode_picture(bytes), Error);
     EXPECT_THROW(decode_picture({}), Error);
+    auto deep = test::deep_png(test::deep_gradient({16, 16}, 0, 1));
+    deep.resize(deep.size() / 2);
+    EXPECT_THROW(decode_deep_picture(deep), Error);
     EXPECT_THROW(read_picture_header(std::vector<std::byte>(4096, std::byte{'x'})), Error);
 }
 

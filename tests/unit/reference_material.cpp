@@ -91,6 +91,31 @@ TEST_F(Textured, texels_are_made_linear_before_they_are_mixed) {
     EXPECT_NEAR(sample_texture(scene, texture, place(), true).a, 0.75 * 0.2 + 0.25, 1e-9); // alpha always is linear
 }
 
+TEST_F(Textured, sixteen_bits_are_read_as_such) {
+    scene.pictures.resize(2);
+    scene.pictures[1] = {"deep", 2, 1, {}, {0, 0, 0, 65535, 1, 40000, 40000, 32768}};
+    texture.magnify = TextureFilter::nearest;
+    EXPECT_EQ(red({0.75f, 0.5f}), 1 / 65535.0);
+    EXPECT_EQ(red({0.75f, 0.5f}, true), 1 / 65535.0 / 12.92);
+    glm::dvec4 const texel = sample_texture(scene, texture, place(), true);
+    EXPECT_NEAR(texel.g, std::pow((40000 / 65535.0 + 0.055) / 1.055, 2.4), 1e-12);
+    EXPECT_EQ(texel.a, 32768 / 65535.0);
+}
+
+TEST_F(Textured, dielectrics_reflect_as_textures_say) {
+    set_picture(1, 1, {188, 255, 0, 51});
+    Material material;
+    material.metallic = 0;
+    material.reflectance = 0.1f, material.specular = 0.5f;
+    material.reflectance_shares = {0.5f, 0.25f, 0.25f};
+    material.specular_texture = material.reflectance_texture = texture;
+    GroundSurface const surface = surface_at(scene, material, place());
+    EXPECT_NEAR(surface.specular.r, 0.1 * (0.5 * linear(188) + 0.25), 1e-8);
+    EXPECT_NEAR(surface.gloss, 0.5 * 0.2, 1e-12);
+    material.reflectance = 0.9f;
+    EXPECT_EQ(surface_at(scene, material, place()).specular.r, Material::largest_reflectance);
+}
+
 TEST_F(Textured, pictures_wrap_at_their_edges) {
     set_picture(2, 1, {255, 0, 0, 255, 0, 0, 0, 255});
     EXPECT_NEAR(red({0.0f, 0.5f}), 0.5, 1e-6);

@@ -7,6 +7,7 @@ namespace alpenglow {
 
 /// Adds supersample `index` of `settings.aa` to the mean radiance and to the mean of what the tone curve makes of it,
 /// and gives the latter.
-ImageId add_accumulate(FrameGraph& graph, ImageId lit, ImageId mean, Settings const& settings, int index);
+ImageId add_accumulate(FrameGraph& graph, ImageId lit, ImageId mean, ImageId exposure, Settings const& settings,
+                       int index);
 
 } // namespace alpenglow

@@ -58,7 +58,7 @@ GBuffer add_gbuffer(FrameGraph& graph, FrameInputs const& in, ConstantsId frame,
     pass.slots = {constants(GBUFFER_FRAME_SLOT, frame)};
     pass.draw = [&in](DrawContext& context) {
         if (in.scene) draw_scene(context, in);
-        draw_planet(context);
+        if (!in.world.studio) draw_planet(context);
     };
     graph.add(std::move(pass));
     return gbuffer;

@@ -1,17 +1,30 @@
 #include "render/passes/lighting.h"
 
 #include "interop/lighting.h"
+#include "render/frame_constants.h"
 
 #include <embedded_shaders.h>
+#include <cmath>
 
 namespace alpenglow {
+
+namespace {
+
+/// The stars keep their distance from the sun's meridian: they rise and set with the hour, and stand still over the year.
+glm::vec2 celestial_turn(glm::dvec3 const& to_sun) {
+    double const longitude = std::atan2(to_sun.y, to_sun.x);
+    return {std::cos(longitude), std::sin(longitude)};
+}
+
+} // namespace
 
 ImageId add_lighting(FrameGraph& graph, FrameInputs const& in, ConstantsId frame, GBuffer const& gbuffer,
                      SunShadow const& shadow, AirTables const& air, int sample) {
     ImageId const lit = sample == 0
                             ? graph.add_image("lit", {VK_FORMAT_R32G32B32A32_SFLOAT, in.extent}, ShowScale::radiance)
                             : graph.find("lit");
-    shader::LightingPush const push{in.settings.show == SHOW_CASCADES ? LIGHTING_SHOW_CASCADES : LIGHTING_RESULT};
+    shader::LightingPush const push{in.settings.show == SHOW_CASCADES ? LIGHTING_SHOW_CASCADES : LIGHTING_RESULT,
+                                    celestial_turn(in.world.to_sun)};
     graph.add(ComputePass{"lighting",
                           shaders::lighting_comp,
                           {constants(LIGHTING_FRAME_SLOT, frame),

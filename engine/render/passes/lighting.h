@@ -8,7 +8,4 @@ namespace alpenglow {
 ImageId add_lighting(FrameGraph& graph, FrameInputs const& in, ConstantsId frame, GBuffer const& gbuffer,
                      SunShadow const& shadow, AirTables const& air, int sample);
 
-/// The name under which `show` knows the picture of which cascade shades what.
-inline constexpr char const* SHOW_CASCADES = "cascades";
-
 } // namespace alpenglow
