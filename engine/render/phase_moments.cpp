@@ -28,11 +28,10 @@ shader::PhaseMoments phase_moments(PhaseFunction const& phase) {
         double const solid_angle = 2 * std::numbers::pi * std::sin(angle) * 2 * std::numbers::pi * u / STEPS;
         double const share = phase(x) * solid_angle;
         double value = 1, next = x;
-        for (std::size_t l = 0; l < degree.size(); ++l) {
-            degree[l] += share * value;
-            auto const n = static_cast<double>(l);
-            double const after = ((2 * n + 3) * x * next - (n + 1) * value) / (n + 2);
-            value = next, next = after;
+        for (double l = 0; double& coefficient : degree) {
+            coefficient += share * value;
+            double const after = ((2 * l + 3) * x * next - (l + 1) * value) / (l + 2);
+            value = next, next = after, l += 1;
         }
     }
     shader::PhaseMoments moments{};

@@ -13,6 +13,12 @@
 #define MULTIPLE_SCATTERING_FRAME_SLOT 0       // uniform buffer: FrameConstants
 #define MULTIPLE_SCATTERING_FIRST_ORDER_SLOT 1 // in, light scattered once
 #define MULTIPLE_SCATTERING_BEFORE_SLOT 2      // in, all orders up to the last: linear filter, clamped to the edge
-#define MULTIPLE_SCATTERING_TABLE_SLOT 3       // out, one order more
+#define MULTIPLE_SCATTERING_TABLE_SLOT 3       // out, one order more; in, where it extrapolates: one order less
+
+SHADER_NAMESPACE_BEGIN
+struct MultipleScatteringPush {
+    int extrapolates; // adds the orders to come as a geometric series
+};
+SHADER_NAMESPACE_END
 
 #endif

@@ -7,11 +7,17 @@
 layout(set = 0, binding = MULTIPLE_SCATTERING_FRAME_SLOT, scalar) uniform Frame { FrameConstants frame; };
 layout(set = 0, binding = MULTIPLE_SCATTERING_FIRST_ORDER_SLOT) uniform sampler2D first_order_table;
 layout(set = 0, binding = MULTIPLE_SCATTERING_BEFORE_SLOT) uniform sampler2D before_table;
-layout(set = 0, binding = MULTIPLE_SCATTERING_TABLE_SLOT, rgba32f) uniform writeonly image2D table;
+layout(set = 0, binding = MULTIPLE_SCATTERING_TABLE_SLOT, rgba32f) uniform image2D table;
+layout(push_constant, scalar) uniform Push { MultipleScatteringPush push; };
 
-ChannelMoments first_order(int channel) {
-    return unpacked_moments(ChannelMoments(texelFetch(first_order_table, tile_texel(2 * channel), 0),
-                                           texelFetch(first_order_table, tile_texel(2 * channel + 1), 0)));
+ChannelMoments moments_of(sampler2D from, int channel) {
+    return unpacked_moments(ChannelMoments(texelFetch(from, tile_texel(2 * channel), 0),
+                                           texelFetch(from, tile_texel(2 * channel + 1), 0)));
+}
+
+ChannelMoments oldest_moments(int channel) {
+    return unpacked_moments(ChannelMoments(imageLoad(table, tile_texel(2 * channel)),
+                                           imageLoad(table, tile_texel(2 * channel + 1))));
 }
 
 void main() {
@@ -26,8 +32,11 @@ void main() {
     barrier();
     int channel = int(gl_LocalInvocationIndex);
     if (channel > 2) return;
-    ChannelMoments once = first_order(channel), again = summed_moments(channel);
-    ChannelMoments moments = packed_moments(ChannelMoments(once.low + again.low, once.high + again.high));
+    ChannelMoments once = moments_of(first_order_table, channel), again = summed_moments(channel);
+    ChannelMoments sum = ChannelMoments(once.low + again.low, once.high + again.high);
+    if (push.extrapolates != 0)
+        sum = extrapolated_moments(oldest_moments(channel), moments_of(before_table, channel), sum);
+    ChannelMoments moments = packed_moments(sum);
     imageStore(table, tile_texel(2 * channel), moments.low);
     imageStore(table, tile_texel(2 * channel + 1), moments.high);
 }

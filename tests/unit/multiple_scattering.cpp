@@ -93,6 +93,22 @@ TEST(MultipleScattering, light_from_airless_ground_is_known) {
     EXPECT_NEAR(sample_diffuse_irradiance(light.sampler(), air, 0, 0.8f, 1, 0.8f).x, 0, 1e-3);
 }
 
+TEST(MultipleScattering, a_geometric_series_is_extrapolated_exactly) {
+    auto const sum_of = [](int orders, float share) {
+        float sum = 0, order = 1;
+        for (int i = 0; i < orders; ++i) sum += order, order *= share;
+        return ChannelMoments{vec4(1, 0.5f, 0, 0) * sum, vec4(-0.1f) * sum};
+    };
+    for (float const share : {0.0f, 0.4f, 0.85f}) {
+        ChannelMoments const all = extrapolated_moments(sum_of(3, share), sum_of(4, share), sum_of(5, share));
+        EXPECT_NEAR(all.low.x, 1 / (1 - share), 1e-4);
+        EXPECT_NEAR(all.low.y, 0.5f / (1 - share), 1e-4);
+        EXPECT_NEAR(all.high.w, -0.1f / (1 - share), 1e-4);
+    }
+    ChannelMoments const same = sum_of(5, 0.5f);
+    EXPECT_EQ(extrapolated_moments(same, same, same).low, same.low);
+}
+
 TEST(MultipleScattering, the_mapping_goes_there_and_back) {
     Atmosphere const air = test::earth_air();
     for (int y = 0; y < 16; ++y)

@@ -12,8 +12,9 @@ namespace alpenglow {
 
 namespace {
 
-/// Orders of scattering behind the first. An order is worth 0.43 of the last over Earth with a ground albedo of 0.3.
-constexpr int ROUNDS = 12;
+/// Orders of scattering behind the first, and how often the orders to come are added as a geometric series: an order is
+/// worth 0.4 of the last on Earth, 0.85 on the dense planet.
+constexpr int ROUNDS = 12, EXTRAPOLATION = 4;
 
 /// A workgroup for each node.
 Extent const NODES{MULTIPLE_SCATTERING_WIDTH * WORKGROUP_SIZE, MULTIPLE_SCATTERING_HEIGHT * WORKGROUP_SIZE};
@@ -27,15 +28,19 @@ void add_first_order(FrameGraph& graph, ConstantsId frame, ImageId transmittance
                           NODES});
 }
 
-/// One order more: `table` from `before`.
-void add_order(FrameGraph& graph, ConstantsId frame, ImageId first_order, ImageId before, ImageId table) {
+/// One order more: `table` from `before`. Where it extrapolates `table` holds one order less than `before`.
+void add_order(FrameGraph& graph, ConstantsId frame, ImageId first_order, ImageId before, ImageId table,
+               bool extrapolates) {
+    shader::MultipleScatteringPush const push{extrapolates ? 1 : 0};
     graph.add(ComputePass{"multiple_scattering",
                           shaders::multiple_scattering_comp,
                           {constants(MULTIPLE_SCATTERING_FRAME_SLOT, frame),
                            sampled(MULTIPLE_SCATTERING_FIRST_ORDER_SLOT, first_order, NEAREST_CLAMP),
                            sampled(MULTIPLE_SCATTERING_BEFORE_SLOT, before),
-                           stored(MULTIPLE_SCATTERING_TABLE_SLOT, table)},
-                          NODES});
+                           extrapolates ? updated(MULTIPLE_SCATTERING_TABLE_SLOT, table)
+                                        : stored(MULTIPLE_SCATTERING_TABLE_SLOT, table)},
+                          NODES,
+                          bytes_of(push)});
 }
 
 void add_all_orders(FrameGraph& graph, ConstantsId frame, ImageId transmittance, ImageId moments) {
@@ -45,8 +50,8 @@ void add_all_orders(FrameGraph& graph, ConstantsId frame, ImageId transmittance,
     ImageId before = ROUNDS % 2 == 0 ? moments : between;
     ImageId table = ROUNDS % 2 == 0 ? between : moments;
     add_first_order(graph, frame, transmittance, first_order, before);
-    for (int round = 0; round < ROUNDS; ++round) {
-        add_order(graph, frame, first_order, before, table);
+    for (int round = 1; round <= ROUNDS; ++round) {
+        add_order(graph, frame, first_order, before, table, round % EXTRAPOLATION == 0);
         std::swap(before, table);
     }
 }
