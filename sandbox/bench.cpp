@@ -1,4 +1,5 @@
 #include "core/progress.h"
+#include "sandbox/bench_load.h"
 #include "sandbox/commands.h"
 #include "sandbox/frame_times.h"
 
@@ -49,9 +50,7 @@ void print_table(Stage const& stage, BenchOptions const& options, std::vector<Vi
     }
 }
 
-} // namespace
-
-int bench(BenchOptions const& options) {
+int bench_views(BenchOptions const& options) {
     std::vector<View> views;
     for (std::filesystem::path const& file : options.views) views.push_back(load_view(file));
     Stage stage(options);
@@ -68,5 +67,9 @@ int bench(BenchOptions const& options) {
         print_table(stage, options, times);
     return 0;
 }
+
+} // namespace
+
+int bench(BenchOptions const& options) { return options.load ? bench_load(options) : bench_views(options); }
 
 } // namespace alpenglow

@@ -98,11 +98,17 @@ void require_gltf_name(std::filesystem::path const& file) {
                 "give a file that ends in .gltf or .glb");
 }
 
+void require_subject(BenchOptions const& options) {
+    if (!options.views.empty() || options.load) return;
+    throw Error(ErrorKind::wrong_use, "VIEW.json or --load is required", {}, "see alpenglow bench --help");
+}
+
 } // namespace
 
 Command parse_command_line(std::span<std::string const> arguments) {
     Command const command = Parser().parse(with_repeated_set(arguments));
     if (auto const* const terrain = std::get_if<TerrainCommandOptions>(&command)) require_gltf_name(terrain->out);
+    if (auto const* const bench = std::get_if<BenchOptions>(&command)) require_subject(*bench);
     return command;
 }
 

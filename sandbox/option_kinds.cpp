@@ -47,10 +47,11 @@ void add_path(CLI::App& app, std::string const& name, std::string const& value,
         app, name, value, [&](std::string const& t) { path = t; }, help);
 }
 
-void add_views(CLI::App& app, std::vector<std::filesystem::path>& views) {
-    app.add_option_function<std::vector<std::string>>(
-           "VIEW.json", [&](std::vector<std::string> const& given) { views.assign(given.begin(), given.end()); },
-           "view files, JSON")
+CLI::Option* add_views(CLI::App& app, std::vector<std::filesystem::path>& views) {
+    return app
+        .add_option_function<std::vector<std::string>>(
+            "VIEW.json", [&](std::vector<std::string> const& given) { views.assign(given.begin(), given.end()); },
+            "view files, JSON")
         ->required()
         ->type_name("FILE");
 }

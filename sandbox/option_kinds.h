@@ -32,7 +32,7 @@ void add_path(CLI::App& app, std::string const& name, std::string const& value, 
 void add_path(CLI::App& app, std::string const& name, std::string const& value,
               std::optional<std::filesystem::path>& path, std::string const& help);
 /// The view files that a command is given, at least one.
-void add_views(CLI::App& app, std::vector<std::filesystem::path>& views);
+CLI::Option* add_views(CLI::App& app, std::vector<std::filesystem::path>& views);
 /// `--size`; `otherwise` says the size that is taken without it.
 template <typename Size> void add_size(CLI::App& app, Size& size, std::string const& otherwise = "1280x720") {
     add_value(
