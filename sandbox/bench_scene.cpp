@@ -7,6 +7,9 @@
 
 #include <cstdlib>
 #include <fmt/format.h>
+#include <span>
+#include <string>
+#include <vector>
 
 namespace alpenglow {
 
@@ -42,7 +45,7 @@ int add_accessor(GltfWriter& gltf, auto const& values, int component, char const
     return static_cast<int>(accessors.size()) - 1;
 }
 
-/// A strip of waves, with vertices of its own.
+/// A strip of ridges, with vertices of its own.
 Json add_strip(GltfWriter& gltf, int strip) {
     std::vector<float> places, normals, uvs;
     std::vector<std::uint32_t> indices;

@@ -5,7 +5,6 @@
 #include "render/gpu_scene.h"
 #include "sandbox/median.h"
 #include "scene/gltf.h"
-#include "scene/gltf_accessor.h"
 #include "scene/gltf_draco.h"
 #include "scene/gltf_meshopt.h"
 #include "scene/gltf_parse.h"
@@ -15,6 +14,7 @@
 
 #include <chrono>
 #include <ctime>
+#include <memory>
 #include <vector>
 
 namespace alpenglow {
