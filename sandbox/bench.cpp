@@ -1,4 +1,5 @@
 #include "core/progress.h"
+#include "sandbox/bench_load.h"
 #include "sandbox/commands.h"
 #include "sandbox/cost_plot.h"
 #include "sandbox/frame_times.h"
@@ -50,13 +51,7 @@ void print_table(Stage const& stage, BenchOptions const& options, std::vector<Vi
     }
 }
 
-} // namespace
-
-int bench(BenchOptions const& options) {
-    if (options.plot) {
-        plot_costs(options);
-        return 0;
-    }
+int bench_views(BenchOptions const& options) {
     std::vector<View> views;
     for (std::filesystem::path const& file : options.views) views.push_back(load_view(file));
     Stage stage(options);
@@ -71,6 +66,15 @@ int bench(BenchOptions const& options) {
         print_json(stage, options.size, times);
     else
         print_table(stage, options, times);
+    return 0;
+}
+
+} // namespace
+
+int bench(BenchOptions const& options) {
+    if (options.load) return bench_load(options);
+    if (!options.plot) return bench_views(options);
+    plot_costs(options);
     return 0;
 }
 

@@ -98,9 +98,9 @@ void require_gltf_name(std::filesystem::path const& file) {
                 "give a file that ends in .gltf or .glb");
 }
 
-void require_views(BenchOptions const& bench) {
-    if (bench.plot || !bench.views.empty()) return;
-    throw Error(ErrorKind::wrong_use, "VIEW.json is required", {}, "see alpenglow bench --help");
+void require_subject(BenchOptions const& options) {
+    if (!options.views.empty() || options.load || options.plot) return;
+    throw Error(ErrorKind::wrong_use, "VIEW.json, --load or --plot is required", {}, "see alpenglow bench --help");
 }
 
 } // namespace
@@ -108,7 +108,7 @@ void require_views(BenchOptions const& bench) {
 Command parse_command_line(std::span<std::string const> arguments) {
     Command const command = Parser().parse(with_repeated_set(arguments));
     if (auto const* const terrain = std::get_if<TerrainCommandOptions>(&command)) require_gltf_name(terrain->out);
-    if (auto const* const bench = std::get_if<BenchOptions>(&command)) require_views(*bench);
+    if (auto const* const bench = std::get_if<BenchOptions>(&command)) require_subject(*bench);
     return command;
 }
 

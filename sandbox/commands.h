@@ -68,9 +68,11 @@ struct StudioOptions : DrawOptions {
 };
 
 struct BenchOptions : DrawOptions {
-    std::vector<std::filesystem::path> views; ///< at least one, but for `plot`
+    std::vector<std::filesystem::path> views; ///< at least one, but for `plot` and `load`
+    /// glTF file whose loading is measured in place of views; an empty path: a scene that is made for it.
+    std::optional<std::filesystem::path> load;
     Extent size{1280, 720};
-    int frames = 10; ///< measured, after warm-up
+    int frames = 10; ///< measured, after warm-up; rounds of `load`
     bool json = false;
     /// SVG file for each model's error against its cost, measured in place of the passes; without views, in three of the
     /// comparison's.

@@ -54,6 +54,18 @@ void add_scene_option(CLI::App& app, std::string const& name, DrawOptions& optio
     add_scene_index(app, options.scene_index);
 }
 
+/// Excludes what is only for pictures; all that must have been added before.
+void add_load(CLI::App& app, std::optional<std::filesystem::path>& load) {
+    app.add_option_function<std::vector<std::string>>(
+           "--load",
+           [&load](std::vector<std::string> const& given) { load = given.empty() ? std::string() : given.front(); },
+           "measures how long a glTF file takes to load, in place of views; without a file, one of 500 000 triangles "
+           "with eight pictures of 2048x2048 that is made for it")
+        ->expected(0, 1)
+        ->type_name("[SCENE]")
+        ->excludes("VIEW.json", "--scene", "--size", "--planet", "--at", "--yaw", "--scale", "--curve", "--show");
+}
+
 } // namespace
 
 CLI::App& add_command(CLI::App& program, FlyOptions& options) {
@@ -105,15 +117,16 @@ CLI::App& add_command(CLI::App& program, StudioOptions& options) {
 }
 
 CLI::App& add_command(CLI::App& program, BenchOptions& options) {
-    CLI::App& app = *program.add_subcommand("bench", "Measures each pass: medians over some frames");
+    CLI::App& app = *program.add_subcommand("bench", "Measures each pass, or loading: medians over some frames");
     add_views(app, options.views)->required(false);
     add_scene_option(app, "--scene", options);
     add_size(app, options.size);
-    add_frames(app, options.frames, "measured frames, after warm-up; 10 unless given");
+    add_frames(app, options.frames, "measured frames, or rounds of --load, after warm-up; 10 unless given");
     app.add_flag("--json", options.json, "prints JSON");
     add_path(app, "--plot", "FILE.svg", options.plot,
              "draws each model's error against its cost instead, in three comparison views unless some are given");
     add_draw_options(app, options);
+    add_load(app, options.load);
     return app;
 }
 

@@ -1,5 +1,7 @@
 #include "sandbox/frame_times.h"
 
+#include "sandbox/median.h"
+
 #include <algorithm>
 #include <chrono>
 
@@ -11,13 +13,6 @@ struct PassSamples {
     std::string name;
     std::vector<double> gpu_ms;
 };
-
-double median(std::vector<double> values) {
-    if (values.empty()) return 0;
-    std::ranges::sort(values);
-    std::size_t const middle = values.size() / 2;
-    return values.size() % 2 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
-}
 
 void note_passes(std::vector<PassSamples>& passes, std::vector<PassTime> const& times) {
     for (PassTime const& time : times) {

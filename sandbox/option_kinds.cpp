@@ -48,9 +48,10 @@ void add_path(CLI::App& app, std::string const& name, std::string const& value,
 }
 
 CLI::Option* add_views(CLI::App& app, std::vector<std::filesystem::path>& views) {
-    return app.add_option_function<std::vector<std::string>>(
-           "VIEW.json", [&](std::vector<std::string> const& given) { views.assign(given.begin(), given.end()); },
-           "view files, JSON")
+    return app
+        .add_option_function<std::vector<std::string>>(
+            "VIEW.json", [&](std::vector<std::string> const& given) { views.assign(given.begin(), given.end()); },
+            "view files, JSON")
         ->required()
         ->type_name("FILE");
 }

@@ -93,6 +93,7 @@ std::vector<Refusal> rows() {
         bad_flight("flight_into_the_planet", flight(R"(, {"time": 1, "camera": {"latitude": 0, "longitude": 0, "altitude": -5}})"), {"/keys/1/camera/altitude"}),
         bad_flight("flight_key_of_wrong_type", flight(", 7"), {"/keys/1"}),
         bad_flight("flight_not_json", "{", {"not JSON"}),
+        {"bench_of_a_missing_scene", {"bench", "--load", "none.glb"}, 3, {"none.glb", "No such file"}},
         {"flight_missing", {"fly", "--headless", "--flight", "none.json", "--out", "out"}, 3, {"none.json", "No such file"}},
 
         bad_scene("scene_not_gltf", "scene.glb", "this is no glTF", {"not"}),

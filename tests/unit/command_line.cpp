@@ -115,7 +115,21 @@ TEST(CommandLine, terrain_and_bench_and_devices) {
     auto const bench = std::get<BenchOptions>(parse("bench v.json --frames 3 --json"));
     EXPECT_TRUE(bench.json);
     EXPECT_EQ(bench.frames, 3);
+    EXPECT_FALSE(bench.load);
     EXPECT_TRUE(std::holds_alternative<DevicesOptions>(parse("devices")));
+}
+
+TEST(CommandLine, bench_takes_views_or_a_scene_to_load) {
+    auto const given = std::get<BenchOptions>(parse("bench --load s.glb --frames 3 --json --set largest_texture=64"));
+    EXPECT_EQ(given.load, "s.glb");
+    EXPECT_EQ(given.frames, 3);
+    EXPECT_TRUE(given.json && given.views.empty());
+    EXPECT_EQ(std::get<BenchOptions>(parse("bench --load")).load, "");
+    EXPECT_EQ(std::get<BenchOptions>(parse("bench --load --json")).load, "");
+    expect_refused("bench", "VIEW.json, --load or --plot is required");
+    expect_refused("bench v.json --load s.glb", "VIEW.json");
+    expect_refused("bench --load s.glb --size 64x36", "--size");
+    expect_refused("bench --load s.glb --at 1,2", "--at");
 }
 
 TEST(CommandLine, evaluate_takes_lists_of_views_and_known_models) {
