@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 using namespace alpenglow;
 using namespace alpenglow::shader;
 
@@ -27,11 +29,10 @@ Atmosphere lossless_air() {
     return air;
 }
 
-test::LightTable light_of(Atmosphere const& air, int rounds) {
-    test::Table const transmittance = test::make_transmittance_table(air);
-    test::LightTable light(air, transmittance.sampler(), FEW_FIRST);
-    for (int i = 0; i < rounds; ++i) light.add_order(air, FEW_HIGHER);
-    return light;
+/// Optical depth 0 everywhere.
+sampler2D clear() {
+    static test::Table const table(1, 1, [](vec2) { return vec4(0); });
+    return table.sampler();
 }
 
 } // namespace
@@ -60,16 +61,17 @@ TEST(MultipleScattering, even_light_in_a_furnace_stays_even) {
 
 TEST(MultipleScattering, every_node_is_finite_and_every_order_adds_light) {
     for (Atmosphere const& air : {test::earth_air(), test::dense_air()}) {
-        test::LightTable const one = light_of(air, 1), three = light_of(air, 3);
-        for (std::size_t node = 0; node < test::LightTable::nodes(); ++node) {
-            for (std::size_t tile = 0; tile < LIGHT_TILES; ++tile) {
-                vec4 const texel = three.texels()[tile * test::LightTable::nodes() + node];
+        test::Table const transmittance = test::make_transmittance_table(air);
+        test::LightTable light(air, transmittance.sampler(), FEW_FIRST);
+        for (int round = 0; round < 2; ++round) {
+            std::vector<vec4> const before = light.texels();
+            light.add_order(air, FEW_HIGHER);
+            for (std::size_t i = 0; i < before.size(); ++i) {
+                vec4 const texel = light.texels()[i];
                 ASSERT_TRUE(std::isfinite(texel.x + texel.y + texel.z + texel.w));
-            }
-            for (std::size_t tile = 0; tile < LIGHT_TILES; tile += 2) {
-                std::size_t const i = tile * test::LightTable::nodes() + node;
-                ASSERT_GE(three.texels()[i].x, one.texels()[i].x * (1 - 1e-6f));
-                ASSERT_LT(three.texels()[i].x, std::pow(1 / PI, 1.0f / 32)); // a white world under a full sun
+                if (i / test::LightTable::nodes() % 2 != 0) continue; // not a tile with a mean
+                ASSERT_GE(texel.x, before[i].x * (1 - 1e-6f));
+                ASSERT_LT(texel.x, std::pow(1 / PI, 1.0f / 32)); // a white world under a full sun
             }
         }
     }
@@ -78,7 +80,7 @@ TEST(MultipleScattering, every_node_is_finite_and_every_order_adds_light) {
 TEST(MultipleScattering, without_air_and_on_black_ground_there_is_no_light) {
     Atmosphere air = test::no_air();
     air.ground_albedo = vec3(0);
-    test::LightTable const light = light_of(air, 1);
+    test::LightTable const light(air, clear(), FEW_FIRST);
     EXPECT_LT(sample_diffuse_irradiance(light.sampler(), air, 0, 0.5f, 1, 0.5f).x, 1e-20f);
 }
 
@@ -86,7 +88,7 @@ TEST(MultipleScattering, without_air_and_on_black_ground_there_is_no_light) {
 TEST(MultipleScattering, light_from_airless_ground_is_known) {
     Atmosphere air = test::no_air();
     air.ground_albedo = vec3(0.3f);
-    test::LightTable const light = light_of(air, 1);
+    test::LightTable const light(air, clear(), FEW_FIRST);
     vec3 const root = sample_light_moments(light.sampler(), air, 0, 0.8f).root;
     EXPECT_NEAR(power32(root).x, 0.5 * 0.3 * 0.8 / std::numbers::pi, 2e-4);
     EXPECT_NEAR(sample_diffuse_irradiance(light.sampler(), air, 0, 0.8f, -1, -0.8f).x, 0.3 * 0.8, 1e-3);
