@@ -50,7 +50,7 @@ Transfer const& transfer(ByteImage const&, bool srgb) {
 Plain transfer(DeepImage const&, bool) { return {}; }
 
 template <class Image> struct Source {
-    using Value = decltype(Image::rgba)::value_type;
+    using Value = typename decltype(Image::rgba)::value_type;
 
     Extent extent;
     Value const* rgba;
