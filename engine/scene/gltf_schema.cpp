@@ -300,8 +300,10 @@ private:
     }
 
     void check_range(double number) const {
-        if (number < rule_.lowest) fail("VALUE_NOT_IN_RANGE", fmt::format("is below {}", rule_.lowest));
-        if (number > rule_.highest) fail("VALUE_NOT_IN_RANGE", fmt::format("is above {}", rule_.highest));
+        if (number < rule_.lowest && rule_.lowest == above_zero)
+            fail("VALUE_NOT_IN_RANGE", fmt::format("is {}, and must be above 0", number));
+        if (number < rule_.lowest) fail("VALUE_NOT_IN_RANGE", fmt::format("is {}, below {}", number, rule_.lowest));
+        if (number > rule_.highest) fail("VALUE_NOT_IN_RANGE", fmt::format("is {}, above {}", number, rule_.highest));
     }
 
     void check_integer(Json& value) const {

@@ -122,7 +122,7 @@ TEST(GltfExtensions, numbers_are_checked) {
     EXPECT_EQ(error({{"KHR_materials_ior", {{"ior", 0.5}}}}),
               "/materials/0/extensions/KHR_materials_ior/ior: must be 0, or 1 and above");
     EXPECT_EQ(error({{"KHR_materials_specular", {{"specularFactor", 2}}}}),
-              "/materials/0/extensions/KHR_materials_specular/specularFactor: is above 1");
+              "/materials/0/extensions/KHR_materials_specular/specularFactor: is 2, above 1");
     EXPECT_EQ(error({{"KHR_materials_emissive_strength", {{"emissiveStrength", "much"}}}}),
               "/materials/0/extensions/KHR_materials_emissive_strength/emissiveStrength: must be a number");
     EXPECT_EQ(error({{"KHR_materials_unlit", 7}}), "/materials/0/extensions/KHR_materials_unlit: must be an object");
