@@ -109,6 +109,29 @@ void check_scans(std::span<std::byte const> bytes) {
                                               std::to_string(most) + " are read");
 }
 
+/// A Huffman table has at most 256 codes (ISO/IEC 10918-1, B.2.4.2); stb_image 2.27 writes beyond its array for more.
+void check_code_tables(std::span<std::byte const> bytes) {
+    constexpr std::byte marker{0xFF}, tables{0xC4};
+    auto const at = [&](std::size_t i) { return std::to_integer<std::size_t>(bytes[i]); };
+    if (bytes.size() < 2 || bytes[0] != marker || bytes[1] != std::byte{0xD8}) return;
+    for (std::size_t i = 2; i + 4 <= bytes.size();) {
+        // Between segments stand a scan's bits, in which no such marker can be, and what decoders skip.
+        bool const has_length = bytes[i] == marker && at(i + 1) >= 0xC0 && (at(i + 1) < 0xD0 || at(i + 1) > 0xD9) &&
+                                at(i + 1) != 0xFF;
+        std::size_t const end = has_length ? i + 2 + at(i + 2) * 256 + at(i + 3) : i + 1;
+        bool const holds_tables = has_length && bytes[i + 1] == tables;
+        for (std::size_t table = i + 4; holds_tables && table + 17 <= std::min(end, bytes.size());) {
+            std::size_t codes = 0;
+            for (std::size_t length = 1; length <= 16; ++length) codes += at(table + length);
+            if (codes > 256)
+                throw Error(ErrorKind::bad_input, "picture can't be decoded: JPEG with a table of " +
+                                                      std::to_string(codes) + " codes, 256 are possible");
+            table += 17 + codes;
+        }
+        i = std::max(end, i + 1);
+    }
+}
+
 void append(void* context, void* data, int size) {
     auto& bytes = *static_cast<std::vector<std::byte>*>(context);
     auto const* const first = static_cast<std::byte const*>(data);
@@ -163,6 +186,7 @@ PictureHeader read_picture_header(std::span<std::byte const> bytes) {
 ByteImage decode_picture(std::span<std::byte const> bytes) {
     if (is_webp(bytes)) return decode_webp(bytes);
     check_scans(bytes);
+    check_code_tables(bytes);
     StbMemory const bound(bytes);
     int width = 0, height = 0, channels = 0;
     std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> const pixels(

@@ -162,3 +162,16 @@ TEST(Resample, keeps_a_uniform_picture_at_any_ratio) {
     }
     EXPECT_THROW(resample(uniform({4, 4}, 1), {0, 4}), Error);
 }
+
+TEST(Codec, jpeg_tables_of_too_many_codes_are_refused) {
+    // Start, then a segment of one table: 16 counts of 17 codes.
+    std::vector<std::byte> bytes{std::byte{0xFF}, std::byte{0xD8}, std::byte{0xFF}, std::byte{0xC4}, std::byte{1}, std::byte{0x23}, std::byte{0}};
+    bytes.insert(bytes.end(), 16, std::byte{17});
+    bytes.resize(bytes.size() + 272);
+    try {
+        decode_picture(bytes);
+        FAIL() << "was decoded";
+    } catch (Error const& error) {
+        EXPECT_NE(std::string(error.what()).find("a table of 272 codes"), std::string::npos) << error.what();
+    }
+}
