@@ -50,14 +50,14 @@ Medium make_medium(Planet const& planet) {
     if (!planet.has_air) return medium;
     auto const add_exponential = [&](ExponentialMedium const& part, Phase const& phase) {
         medium.components.push_back(
-            {part.scattering, part.extinction, ExponentialProfile{part.scale_height}, phase});
+            {part.scattering, part.extinction, ExponentialProfile{part.scale_height}, lobes_of(phase)});
     };
     Air const& air = planet.air;
     add_exponential(air.rayleigh, {.kind = Phase::Kind::rayleigh});
     add_exponential(air.aerosol, {.kind = Phase::Kind::cornette_shanks, .g = air.aerosol_g});
     double const centre = air.ozone_centre, half = air.ozone_half_width;
     medium.components.push_back({glm::dvec3(0), air.ozone_absorption,
-                                 LinearProfile{{{centre - half, 0}, {centre, 1}, {centre + half, 0}}}, Phase{}});
+                                 LinearProfile{{{centre - half, 0}, {centre, 1}, {centre + half, 0}}}, {}});
     return medium;
 }
 

@@ -37,7 +37,7 @@ struct Component {
     glm::dvec3 scattering{0}; ///< [1/m]
     glm::dvec3 extinction{0}; ///< [1/m], scattering + absorption
     Profile profile;
-    Phase phase;
+    PhaseLobes phase;
 };
 
 /// Everything that scatters and absorbs around a planet, from its reference radius to the top.
