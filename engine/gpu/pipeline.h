@@ -65,7 +65,9 @@ class PipelineCache {
 public:
     explicit PipelineCache(Device const& device) : device_(device) {}
 
-    Pipeline const& compute(ShaderCode const& shader, std::vector<SlotLayout> const& slots);
+    /// `specialization`: the values of the shader's constants with the ids 0, 1, …; those it doesn't have are ignored.
+    Pipeline const& compute(ShaderCode const& shader, std::vector<SlotLayout> const& slots,
+                            std::vector<std::int32_t> const& specialization = {});
     Pipeline const& raster(RasterState const& state, std::vector<SlotLayout> const& slots);
 
 private:

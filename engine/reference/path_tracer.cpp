@@ -1,6 +1,7 @@
 #include "reference/path_tracer.h"
 
 #include "core/error.h"
+#include "reference/phase.h"
 #include "reference/surface_scattering.h"
 
 #include <algorithm>

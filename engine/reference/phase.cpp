@@ -37,7 +37,7 @@ double sample_lobe(PhaseLobe const& lobe, double u) {
     if (std::abs(lobe.g) < LEAST_G) return sample_parabola(lobe.alpha, u);
     double low = -1, high = 1, cosine = sample_henyey_greenstein(lobe.g, u);
     if (lobe.alpha == 0) return cosine;
-    PhaseLobes const alone{.first = lobe, .second = {}};
+    PhaseLobes const alone{.first = lobe};
     for (int i = 0; i < 50; ++i) {
         double const excess = lobe_share(lobe, cosine) - u;
         (excess > 0 ? high : low) = cosine;

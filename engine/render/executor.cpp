@@ -277,7 +277,7 @@ void Executor::push_slots(Recording& recording, VkPipelineBindPoint point, VkPip
 }
 
 void Executor::record(Recording& recording, ComputePass const& pass) {
-    Pipeline const& pipeline = pipelines_.compute(pass.shader, layout_of(pass.slots));
+    Pipeline const& pipeline = pipelines_.compute(pass.shader, layout_of(pass.slots), recording.graph.specialization());
     VkCommandBuffer const commands = recording.commands();
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.handle());
     push_slots(recording, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.layout(), pass.slots);

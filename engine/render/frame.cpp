@@ -15,6 +15,8 @@ void build_frame(FrameGraph& graph, FrameInputs const& in) {
     ImageId const mean = graph.import(in.mean, "radiance", ShowScale::radiance, false);
     ImageId const picture = graph.import(in.picture, "picture", ShowScale::encoded, false);
     ConstantsId frame = graph.add_constants(in.constants.front());
+    glm::ivec2 const composition = in.constants.front().atmosphere.composition;
+    graph.specialize({composition.x, composition.y});
 
     AirTables const air = add_air_tables(graph, in, frame);
     SunShadow const shadow = add_sun_shadow(graph, in, frame);

@@ -81,26 +81,6 @@ glm::dvec2 supersample_offset(int index, int count) {
 
 int curve_index(std::string_view name) { return name == "exponential" ? CURVE_EXPONENTIAL : CURVE_FILMIC; }
 
-shader::Atmosphere atmosphere_of(Planet const& planet) {
-    Air const& air = planet.air;
-    shader::Atmosphere a{};
-    a.ground_radius = static_cast<float>(planet.radius);
-    a.top_altitude = static_cast<float>(air.top_altitude);
-    a.rayleigh_scattering = glm::vec3(air.rayleigh.scattering);
-    a.rayleigh_scale_height = static_cast<float>(air.rayleigh.scale_height);
-    a.aerosol_scattering = glm::vec3(air.aerosol.scattering);
-    a.aerosol_scale_height = static_cast<float>(air.aerosol.scale_height);
-    a.aerosol_extinction = glm::vec3(air.aerosol.extinction);
-    a.aerosol_g = static_cast<float>(air.aerosol_g);
-    a.ozone_absorption = glm::vec3(air.ozone_absorption);
-    a.ozone_centre = static_cast<float>(air.ozone_centre);
-    a.ozone_half_width = static_cast<float>(air.ozone_half_width);
-    a.ground_albedo = glm::vec3(planet.ground_albedo);
-    a.solar_irradiance = glm::vec3(planet.solar_irradiance);
-    a.sun_angular_radius = static_cast<float>(planet.sun_angular_radius);
-    return a;
-}
-
 shader::FrameConstants make_frame_constants(World const& world, Settings const& settings, Extent extent,
                                             ShadowFit const& shadow, double ceiling, int sample_index) {
     Camera const& camera = world.camera;

@@ -40,10 +40,10 @@ PhaseLobes droplet_lobes(double d) {
 PhaseLobes lobes_of(Phase const& phase) {
     switch (phase.kind) {
     case Phase::Kind::isotropic: return {};
-    case Phase::Kind::rayleigh: return {.first = {0, 1}, .second = {}};
-    case Phase::Kind::henyey_greenstein: return {.first = {phase.g, 0}, .second = {}};
+    case Phase::Kind::rayleigh: return {.first = {0, 1}};
+    case Phase::Kind::henyey_greenstein: return {.first = {phase.g, 0}};
     case Phase::Kind::double_henyey_greenstein: return {{phase.g, 0}, {phase.second_g, 0}, phase.second_weight};
-    case Phase::Kind::cornette_shanks: return {.first = {phase.g, 1}, .second = {}};
+    case Phase::Kind::cornette_shanks: return {.first = {phase.g, 1}};
     case Phase::Kind::droplets: return droplet_lobes(1e6 * phase.diameter);
     }
     return {};

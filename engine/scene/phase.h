@@ -27,7 +27,7 @@ struct PhaseLobe {
 
 /// Every phase is a blend of two lobes.
 struct PhaseLobes {
-    PhaseLobe first, second;
+    PhaseLobe first{}, second{};
     double second_share = 0; ///< 0..1
 
     bool operator==(PhaseLobes const&) const = default;

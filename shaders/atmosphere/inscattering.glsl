@@ -7,19 +7,24 @@ SHADER_NAMESPACE_BEGIN
 
 // The phases of one ray: constant along it.
 struct RayPhases {
-    float rayleigh; // [1/sr]
-    float aerosol;  // [1/sr]
+    float of_component[AIR_COMPONENTS]; // [1/sr]
 };
 
-INLINE RayPhases phases_of(Atmosphere atmosphere, float nu) {
-    return RayPhases(rayleigh_phase(nu), cornette_shanks_phase(nu, atmosphere.aerosol_g));
+INLINE RayPhases phases_of(IN(Atmosphere) atmosphere, float nu) {
+    RayPhases phases;
+    for (int i = 0; i < AIR_COMPONENTS; ++i) {
+        phases.of_component[i] = 0.0f;
+        if (component_scatters(atmosphere, i)) phases.of_component[i] = component_phase(atmosphere.components[i], nu);
+    }
+    return phases;
 }
 
 // Radiance per metre [1/(sr m)] that the medium adds to the ray: sunlight `sun` at the point (transmittance times
 // shadow) by the phases, and light of higher orders `psi` [1/sr], evenly.
-INLINE vec3 inscattering_source(Medium medium, RayPhases phases, vec3 sun, vec3 psi) {
-    return medium.rayleigh_scattering * (sun * phases.rayleigh + psi) +
-           medium.aerosol_scattering * (sun * phases.aerosol + psi);
+INLINE vec3 inscattering_source(IN(Medium) medium, IN(RayPhases) phases, vec3 sun, vec3 psi) {
+    vec3 towards_camera = medium.scattering[0] * phases.of_component[0];
+    for (int i = 1; i < AIR_COMPONENTS; ++i) towards_camera += medium.scattering[i] * phases.of_component[i];
+    return towards_camera * sun + total_scattering(medium) * psi;
 }
 
 // Inscattered radiance [1/sr] and transmittance between two distances [m] of a ray inside the air, without shadows but

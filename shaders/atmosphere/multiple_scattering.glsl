@@ -48,8 +48,7 @@ INLINE OrderTransfer gather_orders(Atmosphere atmosphere, sampler2D transmittanc
         AirPoint point = air_point_at(ray, cell.middle);
         Medium medium = medium_at(atmosphere, point.altitude);
         float cell_length = cell.end - cell.begin;
-        vec3 scattering = medium.rayleigh_scattering + medium.aerosol_scattering;
-        vec3 seen = transmittance * integrate_segment(scattering, medium.extinction, cell_length);
+        vec3 seen = transmittance * integrate_segment(total_scattering(medium), medium.extinction, cell_length);
         vec3 sun = sample_sun_transmittance(transmittance_table, atmosphere, point.altitude, point.mu_s);
         sum.first += seen * sun * ISOTROPIC_PHASE;
         sum.around += seen;

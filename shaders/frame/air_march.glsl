@@ -60,7 +60,7 @@ void add_air_cell(inout AirLight light, Atmosphere atmosphere, RayPhases phases,
     float altitude = altitude_at(ray, t), sun_along = ray.sun_along + t * ray.nu;
     float share = clamp((t - near.t) / max(far.t - near.t, TINY), 0.0, 1.0);
     // Altitude bends between the nodes where a straight line of their depths would not: to first order of the root.
-    float bend = (mix(near.altitude, far.altitude, share) - altitude) / (32.0 * atmosphere.rayleigh_scale_height);
+    float bend = (mix(near.altitude, far.altitude, share) - altitude) / (32.0 * atmosphere.scale_height);
     vec3 sun_depth = power32(mix(near.sun_root, far.sun_root, share) * (1.0 + bend));
     vec3 sun = exp(-sun_depth) * (sun_above_horizon_along(atmosphere, altitude, sun_along) * visibility);
     vec3 psi = power32(mix(near.psi_root, far.psi_root, share)) * ((frame.flags & FRAME_MULTIPLE_SCATTERING) != 0 ? 1.0 : 0.0);

@@ -58,7 +58,7 @@ struct FrameConstants {
     int samples;                   // of the march
     int sample_index;              // which supersample this is
 };
-CHECK_SIZE(FrameConstants, 680);
+CHECK_SIZE(FrameConstants, 1296);
 
 SHADER_NAMESPACE_END
 #endif

@@ -83,7 +83,7 @@ TEST_F(AirTablesInFrames, are_made_anew_when_the_air_changes_and_only_then) {
     };
     makes_tables();
     EXPECT_FALSE(makes_tables());
-    world.planet.air.aerosol_g = 0.7;
+    world.planet.air.at("aerosol").phase.g = 0.7;
     EXPECT_TRUE(makes_tables());
     EXPECT_FALSE(makes_tables());
 }

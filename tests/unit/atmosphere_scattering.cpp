@@ -170,8 +170,7 @@ TEST(MultipleScattering, an_order_is_weaker_than_the_last) {
     test::Table const clear = test::make_transmittance_table(test::no_air());
     float last = 0;
     for (float const density : {1.0f, 10.0f, 1000.0f}) {
-        Atmosphere air = test::no_air();
-        air.rayleigh_scattering = AIR.rayleigh_scattering * density;
+        Atmosphere const air = test::molecules(density);
         vec3 around(0);
         int const n = MULTIPLE_SCATTERING_DIRECTIONS;
         for (int i = 0; i < n; ++i) {

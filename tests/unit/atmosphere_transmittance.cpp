@@ -35,9 +35,9 @@ std::vector<double> table_errors(Atmosphere const& atmosphere, test::Table const
 
 // 300 Dobson units; Dereyne's profile holds 454.
 TEST(Transmittance, the_ozone_column_is_300_dobson_units) {
-    Atmosphere ozone = test::no_air();
-    ozone.ozone_absorption = AIR.ozone_absorption;
-    vec3 const depth = compute_optical_depth_to_top(ozone, 0, 1);
+    Planet planet = make_earth();
+    planet.air.components = {planet.air.at("ozone")};
+    vec3 const depth = compute_optical_depth_to_top(atmosphere_of(planet), 0, 1);
     EXPECT_NEAR(depth.x, 0.00975, 2e-5);
     EXPECT_NEAR(depth.y, 0.02822, 2e-5);
     EXPECT_NEAR(depth.z, 0.00128, 1e-5);

@@ -15,7 +15,7 @@ namespace {
 
 using Kind = Phase::Kind;
 
-PhaseLobes alone(double g, double alpha) { return {.first = {g, alpha}, .second = {}}; }
+PhaseLobes alone(double g, double alpha) { return {.first = {g, alpha}}; }
 
 std::vector<PhaseLobes> const PHASES = {lobes_of({Kind::isotropic}),
                                         lobes_of({Kind::rayleigh}),

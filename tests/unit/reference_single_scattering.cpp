@@ -104,7 +104,7 @@ TEST(ReferenceSingleScattering, of_a_disc_is_the_mean_over_its_points) {
 TEST(ReferenceSingleScattering, three_percent_more_rayleigh_is_found) {
     Planet const earth = make_earth();
     Planet thicker = earth;
-    thicker.air.rayleigh.scattering *= 1.03, thicker.air.rayleigh.extinction *= 1.03;
+    thicker.air.at("rayleigh").scattering *= 1.03;
     Comparison const all = compare(earth, thicker, 0, 60, {8, 45, 89});
     EXPECT_GT(all.wrong.size(), 9u); // of 27
     EXPECT_LT(all.together.tail(), 1e-6);
