@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <charconv>
 #include <fmt/format.h>
-#include <span>
 
 namespace alpenglow {
 
@@ -18,25 +17,6 @@ using json::NumberKey;
 constexpr NumberKey LOBE[] = {json::ASYMMETRY};
 constexpr NumberKey TWO_LOBES[] = {json::ASYMMETRY, json::SECOND_ASYMMETRY, json::SECOND_WEIGHT};
 constexpr NumberKey DROPLETS[] = {json::DIAMETER};
-
-/// The numbers that follow a kind.
-std::span<NumberKey const> keys_of(Phase::Kind kind) {
-    switch (kind) {
-    case Phase::Kind::henyey_greenstein:
-    case Phase::Kind::cornette_shanks: return LOBE;
-    case Phase::Kind::double_henyey_greenstein: return TWO_LOBES;
-    case Phase::Kind::droplets: return DROPLETS;
-    case Phase::Kind::isotropic:
-    case Phase::Kind::rayleigh: break;
-    }
-    return {};
-}
-
-double& number_of(Phase& phase, NumberKey const& key) {
-    if (key.name == json::SECOND_ASYMMETRY.name) return phase.second_g;
-    if (key.name == json::SECOND_WEIGHT.name) return phase.second_weight;
-    return key.name == json::DIAMETER.name ? phase.diameter : phase.g;
-}
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
     std::vector<std::string_view> parts;
@@ -74,10 +54,28 @@ std::size_t require_component(Air const& air, std::string const& setting, std::s
 
 } // namespace
 
+std::span<NumberKey const> phase_numbers(Phase::Kind kind) {
+    switch (kind) {
+    case Phase::Kind::henyey_greenstein:
+    case Phase::Kind::cornette_shanks: return LOBE;
+    case Phase::Kind::double_henyey_greenstein: return TWO_LOBES;
+    case Phase::Kind::droplets: return DROPLETS;
+    case Phase::Kind::isotropic:
+    case Phase::Kind::rayleigh: break;
+    }
+    return {};
+}
+
+double& phase_number(Phase& phase, NumberKey const& key) {
+    if (key.name == json::SECOND_ASYMMETRY.name) return phase.second_g;
+    if (key.name == json::SECOND_WEIGHT.name) return phase.second_weight;
+    return key.name == json::DIAMETER.name ? phase.diameter : phase.g;
+}
+
 std::string phase_text(Phase const& phase) {
     std::string text(json::PHASE_KINDS[static_cast<std::size_t>(phase.kind)]);
     Phase copy = phase;
-    for (NumberKey const& key : keys_of(phase.kind)) text += fmt::format(":{}", number_of(copy, key));
+    for (NumberKey const& key : phase_numbers(phase.kind)) text += fmt::format(":{}", phase_number(copy, key));
     return text;
 }
 
@@ -88,11 +86,11 @@ Phase phase_from_text(std::string_view text) {
         refuse("air_phases", fmt::format("there is no phase \"{}\"", text),
                fmt::format("give one of {}", fmt::join(json::PHASE_KINDS, ", ")));
     Phase phase{.kind = static_cast<Phase::Kind>(kind - json::PHASE_KINDS.begin())};
-    std::span<NumberKey const> const keys = keys_of(phase.kind);
+    std::span<NumberKey const> const keys = phase_numbers(phase.kind);
     if (parts.size() != keys.size() + 1)
         refuse("air_phases", fmt::format("\"{}\" has {} numbers", text, parts.size() - 1),
                fmt::format("{} has {}, with colons between", *kind, keys.size()));
-    for (std::size_t i = 0; i < keys.size(); ++i) number_of(phase, keys[i]) = read_number(parts[i + 1], keys[i]);
+    for (std::size_t i = 0; i < keys.size(); ++i) phase_number(phase, keys[i]) = read_number(parts[i + 1], keys[i]);
     return phase;
 }
 
@@ -107,6 +105,22 @@ Air changed_air(Air air, std::string_view without, std::string_view phases) {
     for (std::string_view const name : split(without, ','))
         air.components[require_component(air, "air_without", name)].on = false;
     return air;
+}
+
+std::string names_switched_off(Air const& changed) {
+    std::vector<std::string> names;
+    for (AirComponent const& component : changed.components)
+        if (!component.on) names.push_back(component.name);
+    return fmt::format("{}", fmt::join(names, ","));
+}
+
+std::string phases_beside(Air const& planet_air, Air const& changed) {
+    std::vector<std::string> changes;
+    for (std::size_t i = 0; i < changed.components.size(); ++i) {
+        std::string const text = phase_text(changed.components[i].phase);
+        if (text != phase_text(planet_air.components[i].phase)) changes.push_back(changed.components[i].name + "=" + text);
+    }
+    return fmt::format("{}", fmt::join(changes, ","));
 }
 
 } // namespace alpenglow

@@ -14,7 +14,8 @@ class AirTablesOnGpu : public RenderTest, public ::testing::WithParamInterface<c
 protected:
     void SetUp() override {
         RenderTest::SetUp();
-        Stand const stand = stand_on(load_planet(GetParam()));
+        std::string const name = GetParam();
+        Stand const stand = stand_on(name == "motley" ? motley_planet() : load_planet(name));
         air_ = atmosphere_of(stand.planet);
         renderer().draw(stand.view(stand.camera({0, 10, 0}, {0, 10, -1}, 1), {0, 1, 0}), plain_settings(), {8, 8});
     }
@@ -69,7 +70,7 @@ TEST_P(AirTablesOnGpu, are_those_that_cpp_computes) {
     EXPECT_LT(largest_difference(table("sky_irradiance"), irradiance, EVERY), SAME_ROOT);
 }
 
-INSTANTIATE_TEST_SUITE_P(Planets, AirTablesOnGpu, ::testing::Values("earth", "dense"), [](auto const& given) { return std::string(given.param); });
+INSTANTIATE_TEST_SUITE_P(Planets, AirTablesOnGpu, ::testing::Values("earth", "dense", "motley"), [](auto const& given) { return std::string(given.param); });
 
 class AirTablesInFrames : public RenderTest {};
 

@@ -1,4 +1,5 @@
 #include "render/frame_constants.h"
+#include "support/components.h"
 #include "support/light_reference.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+#include "support/components.h"
 #include "support/single_scattering.h"
 #include "support/traced_world.h"
 
@@ -98,6 +99,16 @@ TEST(ReferenceSingleScattering, of_a_disc_is_the_mean_over_its_points) {
         for (int c = 0; c < 3; ++c) EXPECT_NEAR(m.mean[c], exact[c], BOUND * m.deviation[c] + 5e-5 * exact[c]);
         s.to_sun = light.to_sun;
         EXPECT_GT(std::abs(quadrature(s).air.x - exact.x), 2 * BOUND * m.deviation.x); // a point is not a disc
+    }
+}
+
+TEST(ReferenceSingleScattering, of_every_profile_and_phase) {
+    Planet const motley = motley_planet();
+    for (double const h : {0.0, 2e4}) {
+        Comparison const all = compare(motley, motley, h, 20, {-15, 1, 8, 45, 89});
+        for (std::string const& text : all.wrong) ADD_FAILURE() << text;
+        EXPECT_GT(all.together.tail(), 1e-4) << h;
+        EXPECT_LT(all.noisy, all.rays / 2) << h;
     }
 }
 
