@@ -45,38 +45,27 @@ constexpr double SAME = 1e-4;
 
 } // namespace
 
-TEST_F(AirComponents, may_be_written_in_any_order) {
-    for (Planet const& planet : {make_earth(), motley_planet()}) {
-        Planet turned = planet;
-        std::ranges::reverse(turned.air.components);
-        EXPECT_LT(difference(draw(planet), draw(turned)), SAME);
-        std::ranges::rotate(turned.air.components, turned.air.components.begin() + 2);
-        EXPECT_LT(difference(draw(planet), draw(turned)), SAME);
-    }
-}
-
-TEST_F(AirComponents, may_be_written_as_two_halves) {
+TEST_F(AirComponents, may_be_written_in_any_order_and_as_two_halves) {
     Planet const planet = motley_planet();
-    Planet halves = planet;
-    for (char const* const name : {"mist", "aerosol"}) {
-        AirComponent& component = halves.air.at(name);
-        component.scattering *= 0.5, component.absorption *= 0.5;
-        AirComponent other = component;
-        other.name += "_too";
-        halves.air.components.push_back(other);
-    }
-    EXPECT_LT(difference(draw(planet), draw(halves)), SAME);
+    FloatImage const picture = draw(planet);
+    Planet other = planet;
+    std::ranges::reverse(other.air.components);
+    AirComponent& mist = other.air.at("mist");
+    mist.scattering *= 0.5, mist.absorption *= 0.5;
+    AirComponent half = mist;
+    half.name = "mist_too";
+    other.air.components.push_back(half);
+    EXPECT_LT(difference(picture, draw(other)), SAME);
 }
 
 TEST_F(AirComponents, are_absent_when_they_are_switched_off) {
     Planet const planet = motley_planet();
-    for (AirComponent const& component : planet.air.components) {
-        Planet without = planet;
-        std::erase_if(without.air.components, [&](AirComponent const& c) { return c.name == component.name; });
-        FloatImage const off = draw(planet, component.name, "");
-        EXPECT_LT(difference(off, draw(without)), SAME) << component.name;
-        EXPECT_GT(difference(off, draw(planet)), 0.01) << component.name << " makes no difference";
-    }
+    FloatImage const all = draw(planet);
+    for (AirComponent const& component : planet.air.components)
+        EXPECT_GT(difference(draw(planet, component.name, ""), all), 0.01) << component.name << " makes no difference";
+    Planet without = planet;
+    std::erase_if(without.air.components, [](AirComponent const& c) { return c.name == "shell" || c.name == "dust"; });
+    EXPECT_LT(difference(draw(planet, "shell,dust", ""), draw(without)), SAME);
 }
 
 TEST_F(AirComponents, take_every_phase_while_it_runs) {
