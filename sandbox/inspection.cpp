@@ -51,6 +51,13 @@ std::vector<std::string> camera_texts(Scene const& scene) {
     return texts;
 }
 
+Json warnings_json(GltfSummary const& summary) {
+    Json list = Json::array();
+    for (GltfDiagnostic const& warning : summary.warnings)
+        list.push_back({{"pointer", warning.pointer}, {"code", warning.code}, {"message", warning.message}});
+    return list;
+}
+
 std::vector<std::string> scene_texts(GltfSummary const& summary) {
     std::vector<std::string> texts;
     for (std::size_t i = 0; i < summary.scenes.size(); ++i) {
@@ -75,7 +82,7 @@ std::string inspection_text(Scene const& scene, GltfSummary const& summary) {
     text += list_text("cameras", camera_texts(scene));
     text += list_text("lights", summary.lights);
     text += list_text("extensions", summary.extensions);
-    text += list_text("warnings", summary.warnings);
+    text += list_text("warnings", warning_lines(summary));
     return text;
 }
 
@@ -98,7 +105,7 @@ std::string inspection_json(Scene const& scene, GltfSummary const& summary) {
     json["animations"] = summary.animations;
     json["skins"] = summary.skins;
     json["extensions"] = summary.extensions;
-    json["warnings"] = summary.warnings;
+    json["warnings"] = warnings_json(summary);
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

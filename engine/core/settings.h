@@ -40,6 +40,17 @@ struct Settings {
     // Scenes
     int largest_texture = 4096; ///< [texels] larger pictures are scaled down at import
 
+    // What a scene may ask for; beyond, it is refused
+    int largest_scene_file = 4096; ///< [MiB]
+    int most_json_values = 8'000'000;
+    int deepest_json = 100;
+    int deepest_node = 500;
+    int most_instances = 1'000'000;
+    int most_vertices = 16 << 20;
+    int most_indices = 192 << 20;
+    int largest_picture = 16384; ///< [texels]
+    int most_pixels = 128;       ///< [Mi texels]
+
     bool operator==(Settings const&) const = default;
 };
 

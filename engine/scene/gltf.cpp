@@ -1,6 +1,7 @@
 #include "scene/gltf.h"
 
 #include "scene/gltf_accessor.h"
+#include "scene/gltf_contents.h"
 #include "scene/gltf_draco.h"
 #include "scene/gltf_mesh.h"
 #include "scene/gltf_meshopt.h"
@@ -10,6 +11,7 @@
 #include "scene/gltf_resources.h"
 #include "scene/gltf_schema.h"
 #include "scene/gltf_source.h"
+#include "scene/gltf_structure.h"
 #include "scene/gltf_summary.h"
 
 #include <map>
@@ -21,9 +23,11 @@ namespace {
 
 gltf::Document read_document(GltfOptions const& options, GltfSummary& summary, gltf::Report& report) {
     gltf::Source source = gltf::read_source(report);
+    gltf::check_version(source.json, report);
     gltf::check_schema(source.json, report);
-    gltf::check_version_and_extensions(source.json, report);
-    summary = gltf::summarize(source.json, report);
+    gltf::check_structure(source.json, report);
+    gltf::check_extensions(source.json, report);
+    gltf::summarize(source.json, summary, report);
     summary.shown_scene = options.scene_index.value_or(source.json.value("scene", 0));
     gltf::Document document = gltf::parse_document(source.json, options.scene_index, report);
     document.buffers = gltf::read_buffers(source, report);
@@ -31,6 +35,7 @@ gltf::Document read_document(GltfOptions const& options, GltfSummary& summary, g
     gltf::check_views(document, report);
     gltf::decompress_primitives(document, report);
     gltf::check_accessors(document, report);
+    gltf::check_contents(source.json, document, report);
     return document;
 }
 
@@ -107,18 +112,18 @@ Scene load(GltfOptions const& options, GltfSummary& summary, gltf::Report& repor
     scene.pictures = gltf::load_pictures(document, scene.materials, options.largest_texture, report);
     scene.bounds = scene_bounds(scene);
     if (scene.instances.empty()) report.warn("the scene holds no triangle");
+    report.log_counts();
     return scene;
 }
 
 } // namespace
 
 Scene load_gltf(std::filesystem::path const& file, GltfOptions const& options, GltfSummary* summary) {
-    gltf::Report report(file);
-    GltfSummary found;
-    Scene scene = load(options, found, report);
-    found.warnings.assign(report.warnings().begin(), report.warnings().end());
-    if (summary) *summary = std::move(found);
-    return scene;
+    GltfSummary unwanted;
+    GltfSummary& found = summary ? *summary : unwanted;
+    found = {};
+    gltf::Report report(file, options.limits, found.warnings);
+    return load(options, found, report);
 }
 
 } // namespace alpenglow

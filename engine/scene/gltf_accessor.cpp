@@ -18,8 +18,9 @@ void check_view(Document const& document, std::size_t index, Report const& repor
     BufferView const& view = document.views[index];
     std::uint64_t const size = document.buffers[static_cast<std::size_t>(view.buffer)].size();
     if (view.offset > size || view.length > size - view.offset) {
-        report.fail(pointer_to("bufferViews", index), bytes_text(view.length) + " from " + std::to_string(view.offset) +
-                                                          " reach beyond its buffer of " + bytes_text(size));
+        report.refuse("BUFFER_VIEW_TOO_LONG", pointer_to("bufferViews", index),
+                      bytes_text(view.length) + " from " + std::to_string(view.offset) +
+                          " reach beyond its buffer of " + bytes_text(size));
     }
 }
 
@@ -32,24 +33,28 @@ struct Span {
 void check_span(Document const& document, Span const& span, std::string const& pointer, Report const& report) {
     BufferView const& view = document.views[static_cast<std::size_t>(span.view)];
     if (span.stride < span.size) {
-        report.fail(pointer, "elements of " + bytes_text(span.size) + " don't fit its view's stride of " +
-                                 bytes_text(span.stride));
+        report.refuse("ACCESSOR_SMALL_BYTESTRIDE", pointer,
+                      "elements of " + bytes_text(span.size) + " don't fit its view's stride of " +
+                          bytes_text(span.stride));
     }
     if ((view.offset + span.offset) % span.component != 0 || span.stride % span.component != 0) {
-        report.fail(pointer, "is not aligned to its components of " + bytes_text(span.component));
+        report.refuse("ACCESSOR_TOTAL_OFFSET_ALIGNMENT", pointer,
+                      "is not aligned to its components of " + bytes_text(span.component));
     }
     bool const fits = span.offset <= view.length && span.size <= view.length - span.offset &&
                       span.count - 1 <= (view.length - span.offset - span.size) / span.stride;
     if (!fits) {
-        report.fail(pointer, std::to_string(span.count) + " elements from byte " + std::to_string(span.offset) +
-                                 " reach beyond its view of " + bytes_text(view.length));
+        report.refuse("ACCESSOR_TOO_LONG", pointer,
+                      std::to_string(span.count) + " elements from byte " + std::to_string(span.offset) +
+                          " reach beyond its view of " + bytes_text(view.length));
     }
 }
 
 void check_sparse(Document const& document, Accessor const& accessor, std::string const& pointer,
                   Report const& report) {
     Accessor::Sparse const& sparse = *accessor.sparse;
-    if (sparse.count > accessor.count) report.fail(pointer + "/sparse/count", "is above the accessor's count");
+    if (sparse.count > accessor.count)
+        report.refuse("ACCESSOR_SPARSE_COUNT_OUT_OF_RANGE", pointer + "/sparse/count", "is above the accessor's count");
     std::size_t const index_size = component_size(sparse.index_type), size = element_size(accessor);
     check_span(document, {sparse.index_view, sparse.index_offset, sparse.count, index_size, index_size, index_size},
                pointer + "/sparse/indices", report);
@@ -58,27 +63,36 @@ void check_sparse(Document const& document, Accessor const& accessor, std::strin
                pointer + "/sparse/values", report);
     std::vector<std::uint32_t> const indices = sparse_indices_of(document, accessor);
     if (std::ranges::adjacent_find(indices, std::greater_equal<>()) != indices.end()) {
-        report.fail(pointer + "/sparse/indices", "must increase strictly");
+        report.refuse("ACCESSOR_SPARSE_INDICES_NON_INCREASING", pointer + "/sparse/indices", "must increase strictly");
     }
     if (indices.back() >= accessor.count)
-        report.fail(pointer + "/sparse/indices", "holds an index beyond the accessor's count");
+        report.refuse("ACCESSOR_SPARSE_INDEX_OOB", pointer + "/sparse/indices",
+                      "holds an index beyond the accessor's count");
+}
+
+/// [bytes] of an element without the padding behind its last column, which the last one may lack.
+std::size_t unpadded_size(Accessor const& accessor) {
+    std::size_t const column = component_size(accessor.type) * static_cast<std::size_t>(accessor.rows);
+    return element_size(accessor) - element_size(accessor) / static_cast<std::size_t>(accessor.columns) + column;
 }
 
 void check_accessor(Document const& document, std::size_t index, std::uint64_t all_bytes, Report const& report) {
     Accessor const& accessor = document.accessors[index];
     std::string const pointer = pointer_to("accessors", index);
     if (accessor.normalized && (accessor.type == Component::float32 || accessor.type == Component::uint32)) {
-        report.fail(pointer + "/normalized", "is true, but its components are not 8 or 16 bits");
+        report.refuse("ACCESSOR_NORMALIZED_INVALID", pointer + "/normalized",
+                      "is true, but its components are not 8 or 16 bits");
     }
     if (accessor.view != no_index) {
         std::size_t const size = element_size(accessor);
         std::uint64_t const stride = document.views[static_cast<std::size_t>(accessor.view)].stride;
         check_span(document,
-                   {accessor.view, accessor.offset, accessor.count, size, stride ? stride : size,
+                   {accessor.view, accessor.offset, accessor.count, unpadded_size(accessor), stride ? stride : size,
                     component_size(accessor.type)},
                    pointer, report);
     } else if (accessor.count > std::max(all_bytes, most_zero_elements)) {
-        report.fail(pointer + "/count", "is " + std::to_string(accessor.count) + ", more than all buffers have bytes");
+        report.refuse("ACCESSOR_TOO_LONG", pointer + "/count",
+                      "is " + std::to_string(accessor.count) + ", more than all buffers have bytes");
     }
     if (accessor.sparse) check_sparse(document, accessor, pointer, report);
 }
@@ -163,7 +177,8 @@ std::vector<std::uint32_t> read_indices(Document const& document, int index, std
     bool const suitable =
         accessor.type == Component::uint8 || accessor.type == Component::uint16 || accessor.type == Component::uint32;
     if (!suitable || accessor.rows != 1 || accessor.columns != 1 || accessor.normalized) {
-        report.fail(pointer, "can't be indices: these are unsigned scalars, not normalized");
+        report.refuse("MESH_PRIMITIVE_INDICES_ACCESSOR_INVALID_FORMAT", pointer,
+                      "can't be indices: these are unsigned scalars, not normalized");
     }
     std::vector<std::uint32_t> indices = integers(elements_of(document, accessor), accessor.count, accessor.type);
     if (accessor.sparse) {
@@ -175,11 +190,13 @@ std::vector<std::uint32_t> read_indices(Document const& document, int index, std
     std::uint64_t const restart = (std::uint64_t{1} << 8 * component_size(accessor.type)) - 1;
     for (std::size_t i = 0; i < indices.size(); ++i) {
         if (indices[i] == restart) {
-            report.fail(pointer, "index " + std::to_string(i) + " is the restart value " + std::to_string(restart));
+            report.refuse("ACCESSOR_INDEX_PRIMITIVE_RESTART", pointer,
+                          "index " + std::to_string(i) + " is the restart value " + std::to_string(restart));
         }
         if (indices[i] >= vertices) {
-            report.fail(pointer, "index " + std::to_string(i) + " is " + std::to_string(indices[i]) +
-                                     ", but there are " + std::to_string(vertices) + " vertices");
+            report.refuse("ACCESSOR_INDEX_OOB", pointer,
+                          "index " + std::to_string(i) + " is " + std::to_string(indices[i]) + ", but there are " +
+                              std::to_string(vertices) + " vertices");
         }
     }
     return indices;

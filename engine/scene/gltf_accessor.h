@@ -39,12 +39,12 @@ template <class T> float float_from(T value, bool normalized) {
     return number;
 }
 
-/// Calls `store(i, value)` with `N` floats for each element of a vector accessor that has N components or fewer; what
-/// is missing is 1. Throws Error(bad_input) on a number that is not finite.
+/// Calls `store(i, value)` with `N` floats for each element of a vector accessor, or one of matrices without padding,
+/// that has N components or fewer; what is missing is 1. Throws Error(bad_input) on a number that is not finite.
 template <int N, class T, class Store>
 void read_vectors_as(Document const& document, Accessor const& accessor, std::string const& pointer,
                      Report const& report, Store const& store) {
-    auto const rows = static_cast<std::size_t>(accessor.rows);
+    auto const rows = static_cast<std::size_t>(accessor.rows * accessor.columns);
     auto const read = [&](std::byte const* bytes, std::size_t index) {
         T raw[N] = {};
         if (bytes) std::memcpy(raw, bytes, rows * sizeof(T));
@@ -52,7 +52,9 @@ void read_vectors_as(Document const& document, Accessor const& accessor, std::st
         for (std::size_t c = 0; c < N; ++c) value[c] = c < rows ? float_from(raw[c], accessor.normalized) : 1.0f;
         if constexpr (std::is_floating_point_v<T>) {
             for (float const v : value) {
-                if (!std::isfinite(v)) report.fail(pointer, "element " + std::to_string(index) + " is not finite");
+                if (!std::isfinite(v))
+                    report.refuse("ACCESSOR_INVALID_FLOAT", pointer,
+                                  "element " + std::to_string(index) + " is not finite");
             }
         }
         store(index, value);

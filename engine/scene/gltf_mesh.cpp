@@ -13,9 +13,6 @@ namespace alpenglow::gltf {
 
 namespace {
 
-constexpr std::size_t most_vertices = std::size_t{16} << 20; // 1.1 GiB
-constexpr std::size_t most_indices = std::size_t{192} << 20; // 0.8 GiB
-
 /// What an attribute may be made of (glTF 2.0, section 3.7.2.1): integers that must be
 /// normalized, and those that KHR_mesh_quantization adds, normalized or not, as sets of bits. Floats always may be.
 struct AttributeForm {
@@ -44,12 +41,14 @@ void check_form(Accessor const& accessor, AttributeForm const& form, bool quanti
                 Report const& report) {
     unsigned const bit = bits({accessor.type});
     if (accessor.columns != 1 || accessor.rows < form.fewest_rows || accessor.rows > form.most_rows) {
-        report.fail(pointer, std::string(form.name) + " has the wrong number of components");
+        report.refuse("MESH_PRIMITIVE_ATTRIBUTES_ACCESSOR_INVALID_FORMAT", pointer,
+                      std::string(form.name) + " has the wrong number of components");
     }
     bool const core = accessor.type == float32 || ((form.normalized & bit) != 0 && accessor.normalized);
     if (core || (quantized && (form.quantized & bit) != 0)) return;
-    report.fail(pointer, std::string(form.name) + " has components of a type that it can't have",
-                (form.quantized & bit) != 0 ? "KHR_mesh_quantization would allow it" : "");
+    report.refuse("MESH_PRIMITIVE_ATTRIBUTES_ACCESSOR_INVALID_FORMAT", pointer,
+                  std::string(form.name) + " has components of a type that it can't have",
+                  (form.quantized & bit) != 0 ? "KHR_mesh_quantization would allow it" : "");
 }
 
 glm::vec3 unit_or_up(glm::vec3 const& v) {
@@ -92,10 +91,13 @@ void MeshBuilder::claim(std::size_t index) {
             total_vertices_ += count;
     }
     std::string const pointer = fmt::format("/meshes/{}", index);
-    if (total_indices_ > most_indices)
-        report_.fail(pointer, fmt::format("is beyond the limit of {} indices in all", most_indices));
-    if (total_vertices_ > most_vertices)
-        report_.fail(pointer, fmt::format("is beyond the limit of {} vertices in all", most_vertices));
+    GltfLimits const& limits = report_.limits();
+    if (total_indices_ > static_cast<std::size_t>(limits.most_indices))
+        report_.refuse_beyond("most_indices", limits.most_indices, pointer,
+                              fmt::format("makes {} indices in all", total_indices_));
+    if (total_vertices_ > static_cast<std::size_t>(limits.most_vertices))
+        report_.refuse_beyond("most_vertices", limits.most_vertices, pointer,
+                              fmt::format("makes {} vertices in all", total_vertices_));
 }
 
 Mesh MeshBuilder::build(std::size_t index, Pose const& pose) {
@@ -178,8 +180,9 @@ void MeshBuilder::read_attribute(std::vector<Vertex>& vertices, std::string cons
     Accessor const& accessor = document_.accessors[static_cast<std::size_t>(index)];
     check_form(accessor, *form, document_.quantized, pointer, report_);
     if (accessor.count != vertices.size()) {
-        report_.fail(pointer, "has " + std::to_string(accessor.count) + " elements, POSITION " +
-                                  std::to_string(vertices.size()));
+        report_.refuse("MESH_PRIMITIVE_UNEQUAL_ACCESSOR_COUNT", pointer,
+                       "has " + std::to_string(accessor.count) + " elements, POSITION " +
+                           std::to_string(vertices.size()));
     }
     if (name == "POSITION") {
         read_vectors<3>(document_, index, report_, [&](std::size_t i, float const* v) {

@@ -10,16 +10,13 @@ namespace alpenglow::gltf {
 
 namespace {
 
-constexpr int deepest_node = 500;
-constexpr std::size_t most_instances = 1'000'000;
-
 std::string pointer_to(std::size_t node) { return "/nodes/" + std::to_string(node); }
 
 glm::dquat unit_rotation(std::vector<double> const& xyzw, std::size_t node, Report const& report) {
     glm::dquat const rotation(xyzw[3], xyzw[0], xyzw[1], xyzw[2]);
     // A quaternion of signed normalized bytes is off by up to 4 * 0.5/127.
     if (std::abs(glm::length(rotation) - 1) > 0.016)
-        report.fail(pointer_to(node) + "/rotation", "is not a unit quaternion");
+        report.refuse("ROTATION_NON_UNIT", pointer_to(node) + "/rotation", "is not a unit quaternion");
     return glm::normalize(rotation);
 }
 
@@ -31,8 +28,8 @@ std::vector<int> find_parents(Document const& document, Report const& report) {
         for (std::size_t c = 0; c < children.size(); ++c) {
             int& parent = parents[static_cast<std::size_t>(children[c])];
             if (parent != no_index) {
-                report.fail(pointer_to(i) + "/children/" + std::to_string(c),
-                            "node " + std::to_string(children[c]) + " has a second parent");
+                report.refuse("NODE_PARENT_OVERRIDE", pointer_to(i) + "/children/" + std::to_string(c),
+                              "node " + std::to_string(children[c]) + " has a second parent");
             }
             parent = static_cast<int>(i);
         }
@@ -48,14 +45,15 @@ void check_depth(std::vector<int> const& parents, Report const& report) {
         int node = static_cast<int>(i);
         while (node != no_index && depths[static_cast<std::size_t>(node)] == 0) {
             chain.push_back(static_cast<std::size_t>(node));
-            if (chain.size() > parents.size()) report.fail(pointer_to(i), "is its own ancestor");
+            if (chain.size() > parents.size()) report.refuse("NODE_LOOP", pointer_to(i), "is its own ancestor");
             node = parents[static_cast<std::size_t>(node)];
         }
         int depth = node == no_index ? 0 : depths[static_cast<std::size_t>(node)];
         while (!chain.empty()) {
             depths[chain.back()] = ++depth;
-            if (depth > deepest_node) {
-                report.fail(pointer_to(chain.back()), "stands deeper than " + std::to_string(deepest_node) + " nodes");
+            if (int const deepest = report.limits().deepest_node; depth > deepest) {
+                report.refuse_beyond("deepest_node", deepest, pointer_to(chain.back()),
+                                     "stands " + std::to_string(depth) + " nodes deep");
             }
             chain.pop_back();
         }
@@ -78,7 +76,7 @@ glm::dmat4 node_matrix(NodePlacement const& placement, std::size_t node, Report 
     if (!placement.matrix.empty()) {
         matrix = glm::make_mat4(placement.matrix.data());
         if (matrix[0].w != 0 || matrix[1].w != 0 || matrix[2].w != 0 || matrix[3].w != 1) {
-            report.fail(pointer_to(node) + "/matrix", "must end in the row 0 0 0 1");
+            report.refuse("VALUE_NOT_IN_RANGE", pointer_to(node) + "/matrix", "must end in the row 0 0 0 1");
         }
         return matrix;
     }
@@ -95,8 +93,9 @@ std::vector<PlacedNode> place_nodes(Document const& document, Report const& repo
     std::vector<bool> seen(document.nodes.size());
     for (auto root = document.roots.rbegin(); root != document.roots.rend(); ++root) {
         auto const node = static_cast<std::size_t>(*root);
-        if (parents[node] != no_index) report.fail(pointer_to(node), "is a root of the scene, but has a parent");
-        if (seen[node]) report.fail(pointer_to(node), "stands twice in the scene");
+        if (parents[node] != no_index)
+            report.refuse("SCENE_NON_ROOT_NODE", pointer_to(node), "is a root of the scene, but has a parent");
+        if (seen[node]) report.refuse("NODE_PARENT_OVERRIDE", pointer_to(node), "stands twice in the scene");
         seen[node] = true;
         open.push_back({node, glm::dmat4(1)});
     }
@@ -106,12 +105,13 @@ std::vector<PlacedNode> place_nodes(Document const& document, Report const& repo
         open.pop_back();
         Node const& node = document.nodes[placed.node];
         glm::dmat4 const scene_from_node = placed.scene_from_node * node.parent_from_node;
-        if (!is_finite(scene_from_node)) report.fail(pointer_to(placed.node), "is placed out of a float's range");
+        if (!is_finite(scene_from_node))
+            report.refuse("VALUE_NOT_IN_RANGE", pointer_to(placed.node), "is placed out of a float's range");
         bool const hidden = glm::determinant(glm::dmat3(scene_from_node)) == 0;
         if ((node.mesh != no_index || node.camera != no_index) && !hidden)
             shown.push_back({placed.node, scene_from_node});
-        if (shown.size() > most_instances)
-            report.fail("/nodes", "more than " + std::to_string(most_instances) + " instances");
+        if (int const most = report.limits().most_instances; shown.size() > static_cast<std::size_t>(most))
+            report.refuse_beyond("most_instances", most, "/nodes", "places " + std::to_string(shown.size()) + " meshes");
         for (auto child = node.children.rbegin(); child != node.children.rend(); ++child) {
             open.push_back({static_cast<std::size_t>(*child), scene_from_node});
         }
@@ -147,8 +147,10 @@ std::vector<SceneCamera> find_cameras(Document const& document, std::vector<Plac
         Node const& node = document.nodes[index];
         if (node.camera == no_index) continue;
         CameraSource const& source = document.cameras[static_cast<std::size_t>(node.camera)];
-        if (!source.perspective) {
-            report.warn("orthographic cameras are left out");
+        bool const usable = source.vertical_fov >= 1e-5 && source.vertical_fov <= 3.1415; // [rad]
+        if (!source.perspective || !usable) {
+            report.warn(source.perspective ? "cameras that see a half space or more are left out"
+                                           : "orthographic cameras are left out");
             continue;
         }
         std::string const name = !source.name.empty() ? source.name

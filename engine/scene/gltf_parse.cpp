@@ -223,8 +223,7 @@ CameraSource read_camera(JsonObject const& json) {
     CameraSource camera{json.text("name", ""), 1, json.text("type", "perspective") == "perspective"};
     auto const perspective = json.find("perspective");
     if (camera.perspective && !perspective) json.fail("perspective", "is missing");
-    // At least a millionth of a turn, less than half of one.
-    if (perspective) camera.vertical_fov = perspective->number("yfov", 1, 1e-5, 3.1415);
+    if (perspective) camera.vertical_fov = perspective->number("yfov", 1, 0);
     return camera;
 }
 
@@ -250,7 +249,8 @@ std::vector<Image> convert_images(nlohmann::json const& json, Report const& repo
     std::vector<Image> images;
     for (nlohmann::json const& source : json.value("images", nlohmann::json::array())) {
         if (source.contains("uri") == source.contains("bufferView")) {
-            report.fail("/images/" + std::to_string(images.size()), "must have either a uri or a bufferView");
+            report.refuse("ONE_OF_MISMATCH", "/images/" + std::to_string(images.size()),
+                          "must have either a uri or a bufferView");
         }
         images.push_back({source.value("name", ""), source.value("uri", ""), source.value("bufferView", no_index)});
     }

@@ -12,9 +12,6 @@ namespace alpenglow::gltf {
 
 namespace {
 
-constexpr std::uint32_t largest_side = 16384;
-constexpr std::size_t most_pixels = std::size_t{1} << 27; // half a GiB once decoded
-
 /// The mean of each two by two texels, of the values as stored; a last odd row or column is left out.
 ByteImage halved(ByteImage const& image) {
     ByteImage half({std::max(image.extent.width / 2, 1u), std::max(image.extent.height / 2, 1u)});
@@ -32,19 +29,23 @@ ByteImage halved(ByteImage const& image) {
     return half;
 }
 
+void check_extent(Extent const& extent, std::string const& pointer, Report const& report) {
+    GltfLimits const& limits = report.limits();
+    std::string const is = "is a picture of " + std::to_string(extent.width) + " x " + std::to_string(extent.height);
+    if (std::max(extent.width, extent.height) > static_cast<std::uint32_t>(limits.largest_picture))
+        report.refuse_beyond("largest_picture", limits.largest_picture, pointer, is + " texels");
+    if (extent.pixels() > static_cast<std::uint64_t>(limits.most_pixels) << 20)
+        report.refuse_beyond("most_pixels", limits.most_pixels, pointer, is + " or Mi texels");
+}
+
 ByteImage decode(std::vector<std::byte> const& bytes, std::string const& pointer, Report const& report) {
     try {
         Extent const extent = read_picture_header(bytes).extent;
-        if (std::max(extent.width, extent.height) > largest_side || extent.pixels() > most_pixels) {
-            report.fail(pointer, "is a picture of " + std::to_string(extent.width) + " x " +
-                                     std::to_string(extent.height) + ", more than the limit of " +
-                                     std::to_string(largest_side) + " a side and " + std::to_string(most_pixels) +
-                                     " in all");
-        }
+        check_extent(extent, pointer, report);
         return decode_picture(bytes);
     } catch (Error const& error) {
-        if (std::string_view(error.what()).starts_with(report.file().string())) throw;
-        report.fail(pointer, error.what(), "PNG, JPEG and WebP are read");
+        if (dynamic_cast<GltfError const*>(&error)) throw;
+        report.refuse("IMAGE_DATA_INVALID", pointer, error.what(), "PNG, JPEG and WebP are read");
     }
 }
 

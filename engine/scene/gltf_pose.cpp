@@ -77,21 +77,10 @@ void move(Vertex& vertex, glm::dmat4 const& mesh_from_bind) {
 
 std::vector<glm::dmat4> read_matrices(Document const& document, int index, std::size_t count, Report const& report) {
     if (index == no_index) return std::vector<glm::dmat4>(count, glm::dmat4(1));
-    Accessor const& accessor = document.accessors[at(index)];
-    std::string const pointer = fmt::format("/accessors/{}", index);
-    if (accessor.columns != 4 || accessor.rows != 4 || accessor.type != Component::float32 || accessor.sparse)
-        report.fail(pointer, "inverse bind matrices must be four by four floats, not sparse");
-    if (accessor.count < count)
-        report.fail(pointer, fmt::format("has {} matrices for {} joints", accessor.count, count));
-    Elements const elements = elements_of(document, accessor);
-    std::vector<glm::dmat4> matrices(count, glm::dmat4(0));
-    for (std::size_t i = 0; elements.first && i < count; ++i) {
-        float values[16];
-        std::memcpy(values, elements.first + i * elements.stride, sizeof values);
-        for (float const value : values)
-            if (!std::isfinite(value)) report.fail(pointer, fmt::format("matrix {} is not finite", i));
-        matrices[i] = glm::dmat4(glm::make_mat4(values));
-    }
+    std::vector<glm::dmat4> matrices(document.accessors[at(index)].count);
+    read_vectors<16>(document, index, report,
+                     [&](std::size_t i, float const* values) { matrices[i] = glm::dmat4(glm::make_mat4(values)); });
+    matrices.resize(count, glm::dmat4(1));
     return matrices;
 }
 
@@ -128,8 +117,7 @@ void apply_skin(std::vector<Vertex>& vertices, Primitive const& primitive, Pose 
             return read_quads(primitive, name + set, vertices.size(), document, pointer, report);
         };
         std::vector<glm::vec4> const joints = quads("JOINTS_"), weights = quads("WEIGHTS_");
-        if (joints.size() != weights.size())
-            report.fail(pointer + "/attributes", fmt::format("JOINTS_{0} and WEIGHTS_{0} go together", set));
+        if (joints.size() != weights.size()) continue; // one without the other was warned of
         for (std::size_t i = 0; i < joints.size(); ++i) {
             sums[i] += blend(joints[i], weights[i], pose, pointer + "/attributes/JOINTS_" + set, report);
             totals[i] += weights[i].x + weights[i].y + weights[i].z + weights[i].w;

@@ -18,6 +18,10 @@ struct Source {
 
 /// Reads the file, tells .glb from .gltf by content, and checks the container, the JSON's size and its depth.
 /// Throws Error(bad_input).
-Source read_source(Report const& report);
+Source read_source(Report& report);
+
+/// A file that is no larger than the limit. Throws Error(bad_input); with a pointer, as something that the scene names.
+std::vector<std::byte> read_limited(std::filesystem::path const& path, std::string const& pointer,
+                                    Report const& report);
 
 } // namespace alpenglow::gltf

@@ -7,8 +7,8 @@
 
 namespace alpenglow::gltf {
 
-/// What the JSON that check_schema has passed says beyond what is drawn, and a warning for each kind of thing that is
-/// left out: animations, lights. Throws Error(bad_input) on a light that is none.
-GltfSummary summarize(nlohmann::json const& json, Report& report);
+/// Fills in what the JSON that check_schema has passed says beyond what is drawn, and gives a warning for each kind of thing that is
+/// left out: animations, lights.
+void summarize(nlohmann::json const& json, GltfSummary& summary, Report& report);
 
 } // namespace alpenglow::gltf

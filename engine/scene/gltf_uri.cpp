@@ -84,13 +84,21 @@ std::optional<DataUri> parse_data_uri(std::string_view uri) {
     std::size_t const comma = uri.find(',');
     if (comma == std::string_view::npos) return DataUri{};
     std::string_view const head = uri.substr(0, comma), body = uri.substr(comma + 1);
+    if (head.find(";;") != std::string_view::npos) return DataUri{};
     if (head.ends_with(";base64")) return decode_base64(body);
     std::string const decoded = percent_decoded(body);
     auto const* const first = reinterpret_cast<std::byte const*>(decoded.data());
     return DataUri{true, {first, first + decoded.size()}};
 }
 
+std::string_view data_uri_type(std::string_view uri) {
+    if (!uri.starts_with("data:")) return {};
+    uri.remove_prefix(5);
+    return uri.substr(0, uri.find_first_of(";,"));
+}
+
 FileUri resolve_file_uri(std::string_view uri, fs::path const& folder) {
+    if (uri.starts_with(':')) return {{}, "has an empty scheme", true};
     if (has_scheme(uri)) return {{}, "has a scheme; only data: and files beside the scene are read"};
     std::string const name = percent_decoded(uri);
     if (name.empty()) return {{}, "is empty"};

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <set>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -53,15 +54,20 @@ private:
 GltfBuilder one_triangle();
 
 /// Loads text as a .gltf of its own folder.
-Scene load_text(std::string const& text, GltfOptions const& options = {});
-/// The message of the error that loading gives, without the file's name and the usual advice; "" where it loads.
+Scene load_text(std::string const& text, GltfOptions const& options = {}, GltfSummary* summary = nullptr);
+/// The message of the error that loading gives, without the file's name, the code and the usual advice; "" where it
+/// loads.
 std::string error_of(std::string const& text);
+/// What loading says, "refused CODE" at the end of it, each once: "EMPTY_ENTITY, refused TYPE_MISMATCH".
+std::string codes_of(std::string const& text, GltfOptions const& options = {});
 std::string without_usual_advice(std::string line);
 
 std::string base64(std::span<std::byte const> bytes);
 
 inline std::size_t GltfBuilder::components(std::string const& type) {
-    return type == "SCALAR" ? 1 : static_cast<std::size_t>(type.back() - '0');
+    if (type == "SCALAR") return 1;
+    auto const rows = static_cast<std::size_t>(type.back() - '0');
+    return type.starts_with("MAT") ? rows * rows : rows;
 }
 
 inline int GltfBuilder::add_bytes(std::span<std::byte const> bytes, int stride) {
@@ -119,15 +125,19 @@ inline GltfBuilder one_triangle() {
     return builder;
 }
 
-inline Scene load_text(std::string const& text, GltfOptions const& options) {
+inline Scene load_text(std::string const& text, GltfOptions const& options, GltfSummary* summary) {
     TemporaryFolder const folder;
     write_text_file(folder.path() / "scene.gltf", text);
-    return load_gltf(folder.path() / "scene.gltf", options);
+    return load_gltf(folder.path() / "scene.gltf", options, summary);
 }
 
 inline std::string without_usual_advice(std::string line) {
     std::string const advice = std::string(" (") + gltf::EXPORT_AGAIN + ")";
     if (line.ends_with(advice)) line.resize(line.size() - advice.size());
+    for (gltf::CodeInfo const& info : gltf::CODES) {
+        std::string const code = " [" + std::string(info.name) + "]";
+        if (std::size_t const at = line.find(code); at != std::string::npos) line.erase(at, code.size());
+    }
     return line;
 }
 
@@ -140,6 +150,21 @@ inline std::string error_of(std::string const& text) {
         return line.substr(line.find(end_of_name) + end_of_name.size());
     }
     return "";
+}
+
+inline std::string codes_of(std::string const& text, GltfOptions const& options) {
+    GltfSummary summary;
+    std::string refusal;
+    try {
+        load_text(text, options, &summary);
+    } catch (GltfError const& error) {
+        refusal = "refused " + error.diagnostic().code;
+    }
+    std::set<std::string> codes;
+    for (GltfDiagnostic const& diagnostic : summary.warnings) codes.insert(diagnostic.code);
+    std::string line;
+    for (std::string const& code : codes) line += (line.empty() ? "" : ", ") + code;
+    return refusal.empty() ? line : line + (line.empty() ? "" : ", ") + refusal;
 }
 
 inline std::string base64(std::span<std::byte const> bytes) {

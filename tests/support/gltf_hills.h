@@ -2,6 +2,7 @@
 
 #include "support/gltf_builder.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace alpenglow::test {
@@ -12,10 +13,14 @@ inline std::string hills_gltf() {
     constexpr float STEP = 125; // [m]
     std::vector<float> places;
     std::vector<std::uint16_t> indices;
+    float lowest = 1e9f, highest = -1e9f; // [m]
     for (int row = 0; row < SIDE; ++row) {
         for (int column = 0; column < SIDE; ++column) {
             float const x = STEP * float(column - SIDE / 2), z = STEP * float(row - SIDE / 2);
-            places.insert(places.end(), {x, 300 + 250 * std::sin(x / 400) * std::cos(z / 700), z});
+            float const y = 300 + 250 * std::sin(x / 400) * std::cos(z / 700);
+            places.insert(places.end(), {x, y, z});
+            lowest = std::min(lowest, y);
+            highest = std::max(highest, y);
             if (row + 1 == SIDE || column + 1 == SIDE) continue;
             auto const at = static_cast<std::uint16_t>(row * SIDE + column);
             auto const below = static_cast<std::uint16_t>(at + SIDE);
@@ -24,10 +29,9 @@ inline std::string hills_gltf() {
         }
     }
     GltfBuilder builder;
-    builder.show({{"POSITION", builder.add<float>("VEC3", places)}}, {{"indices", builder.add<std::uint16_t>("SCALAR", indices)}});
-    // glTF wants the bounds of positions.
-    builder.json["accessors"][0]["min"] = {-4000, 50, -4000};
-    builder.json["accessors"][0]["max"] = {4000, 550, 4000};
+    int const position = builder.add<float>("VEC3", places);
+    builder.json["accessors"][position].update({{"min", {-4000, lowest, -4000}}, {"max", {4000, highest, 4000}}});
+    builder.show({{"POSITION", position}}, {{"indices", builder.add<std::uint16_t>("SCALAR", indices)}});
     return builder.gltf();
 }
 

@@ -76,7 +76,7 @@ TEST(GltfNodes, cycles_several_parents_and_deep_chains_are_refused) {
     EXPECT_EQ(error_of(builder.gltf()), "/nodes/1/children/0: node 2 has a second parent");
     builder.json["nodes"] = {{{"children", {1}}}, {{"mesh", 0}}};
     builder.json["scenes"][0]["nodes"] = {1};
-    EXPECT_EQ(error_of(builder.gltf()), "/nodes/1: is a root of the scene, but has a parent");
+    EXPECT_EQ(error_of(builder.gltf()), "/scenes/0/nodes/0: is a root of the scene, but has a parent");
     builder.json["scenes"][0]["nodes"] = {0, 0};
     EXPECT_EQ(error_of(builder.gltf()), "/nodes/0: stands twice in the scene");
     builder.json["nodes"] = Json::array();
@@ -84,7 +84,8 @@ TEST(GltfNodes, cycles_several_parents_and_deep_chains_are_refused) {
         builder.json["nodes"].push_back(i < 500 ? Json{{"children", {i + 1}}} : Json::object());
     }
     builder.json["scenes"][0]["nodes"] = {0};
-    EXPECT_EQ(error_of(builder.gltf()), "/nodes/500: stands deeper than 500 nodes");
+    EXPECT_EQ(error_of(builder.gltf()), "/nodes/500: stands 501 nodes deep, more than the limit of 500 (where the file is to be trusted, raise it with "
+              "--set deepest_node=NUMBER)");
 }
 
 TEST(GltfNodes, what_is_no_placement_is_refused) {
@@ -95,4 +96,13 @@ TEST(GltfNodes, what_is_no_placement_is_refused) {
     EXPECT_EQ(error_of(builder.gltf()), "/nodes/0/matrix: must end in the row 0 0 0 1");
     builder.json["nodes"] = {{{"children", {1}}, {"scale", {1e30, 1e30, 1e30}}}, {{"mesh", 0}, {"scale", {1e30, 1, 1}}}};
     EXPECT_EQ(error_of(builder.gltf()), "/nodes/1: is placed out of a float's range");
+}
+
+TEST(GltfNodes, cameras_that_see_half_of_everything_are_left_out) {
+    GltfBuilder builder = one_triangle();
+    builder.json["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 4}, {"znear", 0.1}}}}};
+    builder.json["nodes"][0]["camera"] = 0;
+    EXPECT_TRUE(builder.load().cameras.empty());
+    builder.json["cameras"][0]["perspective"]["yfov"] = 3;
+    EXPECT_EQ(builder.load().cameras.size(), 1u);
 }

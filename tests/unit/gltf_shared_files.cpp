@@ -53,7 +53,7 @@ std::string table_row(fs::path const& file, fs::path const& folder) {
         GltfSummary summary;
         Scene const scene = load_gltf(file, {}, &summary);
         std::string warnings;
-        for (std::string const& line : summary.warnings) warnings += (warnings.empty() ? "" : "; ") + line;
+        for (std::string const& line : warning_lines(summary)) warnings += (warnings.empty() ? "" : "; ") + line;
         return name + std::to_string(triangle_count(scene)) + " | " + warnings + " | |\n";
     } catch (Error const& error) {
         return name + "| | " + reason_of(error, file) + " |\n";

@@ -37,7 +37,9 @@ TEST(Inspection, says_what_a_scene_holds) {
               "materials   1, 0 textures\n"
               "memory      0.0 MiB geometry, 0.0 MiB textures\n"
               "extensions  ACME_glow\n"
-              "warnings    loaded without ACME_glow, which is not supported\n");
+              "warnings    /meshes/0/primitives/0/attributes/POSITION: has no min and max "
+              "[MESH_PRIMITIVE_POSITION_ACCESSOR_WITHOUT_BOUNDS]\n"
+              "            /extensionsUsed: loaded without ACME_glow, which is not supported [UNSUPPORTED_EXTENSION]\n");
 }
 
 TEST(Inspection, as_json_has_the_same) {
@@ -48,5 +50,7 @@ TEST(Inspection, as_json_has_the_same) {
     EXPECT_EQ(json["geometry_bytes"], 3 * sizeof(Vertex) + 12);
     EXPECT_EQ(json["bounds"]["highest"], Json({11, 1, 4}));
     EXPECT_EQ(json["extensions"], Json({"ACME_glow"}));
-    EXPECT_EQ(json["warnings"].size(), 1u);
+    ASSERT_EQ(json["warnings"].size(), 2u);
+    EXPECT_EQ(json["warnings"][1]["code"], "UNSUPPORTED_EXTENSION");
+    EXPECT_EQ(json["warnings"][1]["pointer"], "/extensionsUsed");
 }
