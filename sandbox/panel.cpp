@@ -81,7 +81,8 @@ void show_panel(KeyTarget target, PictureReport const& report) {
         ImGui::Separator();
         edit_sun(target.pilot);
         ImGui::Separator();
-        if (Planet const& planet = target.pilot.planet(); planet.has_air && ImGui::CollapsingHeader("What the air is made of"))
+        if (Planet const& planet = target.pilot.planet();
+            planet.has_air && ImGui::CollapsingHeader("What the air is made of"))
             edit_air(target.pilot.settings(), planet.air);
         edit_settings(target.pilot.settings(), target.screen.images);
         if (ImGui::CollapsingHeader("Time of each pass [ms]", ImGuiTreeNodeFlags_DefaultOpen))

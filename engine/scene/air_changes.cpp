@@ -57,11 +57,15 @@ std::size_t require_component(Air const& air, std::string const& setting, std::s
 std::span<NumberKey const> phase_numbers(Phase::Kind kind) {
     switch (kind) {
     case Phase::Kind::henyey_greenstein:
-    case Phase::Kind::cornette_shanks: return LOBE;
-    case Phase::Kind::double_henyey_greenstein: return TWO_LOBES;
-    case Phase::Kind::droplets: return DROPLETS;
+    case Phase::Kind::cornette_shanks:
+        return LOBE;
+    case Phase::Kind::double_henyey_greenstein:
+        return TWO_LOBES;
+    case Phase::Kind::droplets:
+        return DROPLETS;
     case Phase::Kind::isotropic:
-    case Phase::Kind::rayleigh: break;
+    case Phase::Kind::rayleigh:
+        break;
     }
     return {};
 }
@@ -118,7 +122,8 @@ std::string phases_beside(Air const& planet_air, Air const& changed) {
     std::vector<std::string> changes;
     for (std::size_t i = 0; i < changed.components.size(); ++i) {
         std::string const text = phase_text(changed.components[i].phase);
-        if (text != phase_text(planet_air.components[i].phase)) changes.push_back(changed.components[i].name + "=" + text);
+        if (text != phase_text(planet_air.components[i].phase))
+            changes.push_back(changed.components[i].name + "=" + text);
     }
     return fmt::format("{}", fmt::join(changes, ","));
 }

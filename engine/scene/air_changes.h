@@ -20,8 +20,8 @@ std::span<json::NumberKey const> phase_numbers(Phase::Kind kind);
 double& phase_number(Phase& phase, json::NumberKey const& key);
 
 /// The air with changes that are made while it runs: `without` names components that are left out (switched off),
-/// `phases` gives others than the planet's, as NAME=PHASE; commas between several. Throws Error(bad_input), for a name that the air
-/// does not have among others.
+/// `phases` gives others than the planet's, as NAME=PHASE; commas between several. Throws Error(bad_input), for a name
+/// that the air does not have among others.
 Air changed_air(Air air, std::string_view without, std::string_view phases);
 /// The other way: what `without` and `phases` must say for the planet's air to become `changed`.
 std::string names_switched_off(Air const& changed);

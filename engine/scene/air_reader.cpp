@@ -55,7 +55,8 @@ Phase read_phase(Value const& value) {
                 .second_g = lobes.number(json::SECOND_ASYMMETRY),
                 .second_weight = lobes.number(json::SECOND_WEIGHT)};
     }
-    named.refuse("there is no phase " + named.quoted(), fmt::format("give one of {}", fmt::join(json::PHASE_KINDS, ", ")));
+    named.refuse("there is no phase " + named.quoted(),
+                 fmt::format("give one of {}", fmt::join(json::PHASE_KINDS, ", ")));
 }
 
 LinearProfile read_table(Value const& value) {
@@ -119,7 +120,8 @@ AirComponent read_component(Value const& value, Air const& air, Derivation const
     } else if (object.has("phase")) {
         object.at("phase").refuse("a phase is for what scatters", "add \"scattering\", or remove it");
     }
-    if (object.has("absorption")) component.absorption = read_absorption(object.at("absorption"), from, component.profile);
+    if (object.has("absorption"))
+        component.absorption = read_absorption(object.at("absorption"), from, component.profile);
     return component;
 }
 
@@ -127,10 +129,11 @@ void require_room(Value const& value, Air const& air) {
     std::size_t pieces = 0;
     for (AirComponent const& component : air.components) pieces += piece_count(component.profile);
     if (pieces > MOST_PROFILE_PIECES)
-        value.refuse(fmt::format("the tents, shells and tables have {} pieces", pieces),
-                     fmt::format("there is room for {}: two for a tent or a shell, one between two nodes of a table and "
-                                 "one at each end that is not 0",
-                                 MOST_PROFILE_PIECES));
+        value.refuse(
+            fmt::format("the tents, shells and tables have {} pieces", pieces),
+            fmt::format("there is room for {}: two for a tent or a shell, one between two nodes of a table and "
+                        "one at each end that is not 0",
+                        MOST_PROFILE_PIECES));
 }
 
 } // namespace

@@ -34,10 +34,11 @@ Json table() {
     node["items"] = {{"type", "number"}, {"minimum", 0}, {"maximum", json::NODE_ALTITUDE.largest}};
     node["minItems"] = node["maxItems"] = 2;
     Json properties{{"kind", {{"enum", Json::array({"table"})}}}};
-    properties["nodes"] = {{"type", "array"},
-                           {"description", "from the ground up, linear between, 0 outside; two of one altitude make a step"},
-                           {"items", std::move(node)},
-                           {"minItems", 2}};
+    properties["nodes"] = {
+        {"type", "array"},
+        {"description", "from the ground up, linear between, 0 outside; two of one altitude make a step"},
+        {"items", std::move(node)},
+        {"minItems", 2}};
     return object("a table", std::move(properties), {"kind", "nodes"});
 }
 
@@ -71,7 +72,8 @@ Json component() {
 
 Json air() {
     Json properties{{"top_altitude", number(json::TOP_ALTITUDE)}};
-    properties["wavelengths"] = triple(json::WAVELENGTH, "that coefficients are derived for; 680, 550 and 440 nm where left out");
+    properties["wavelengths"] =
+        triple(json::WAVELENGTH, "that coefficients are derived for; 680, 550 and 440 nm where left out");
     properties["components"] = {
         {"type", "array"}, {"items", component()}, {"minItems", 1}, {"maxItems", MOST_AIR_COMPONENTS}};
     return object("left out: no air", std::move(properties), {"top_altitude", "components"});

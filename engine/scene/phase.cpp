@@ -17,8 +17,8 @@ double lobe_value(PhaseLobe const& lobe, double cosine) {
     return (1 - g * g) * shape / (4 * std::numbers::pi * d * std::sqrt(d));
 }
 
-/// Henyey and Greenstein's coefficients are g^l; x P_l = ((l + 1) P_{l+1} + l P_{l-1}) / (2 l + 1), twice, gives those of
-/// cosine^2 times it.
+/// Henyey and Greenstein's coefficients are g^l; x P_l = ((l + 1) P_{l+1} + l P_{l-1}) / (2 l + 1), twice, gives those
+/// of cosine^2 times it.
 double lobe_legendre(PhaseLobe const& lobe, int l) {
     double const g = lobe.g, n = l;
     double square = std::pow(g, l) * ((n + 1) * (n + 1) / ((2 * n + 1) * (2 * n + 3)));
@@ -39,12 +39,18 @@ PhaseLobes droplet_lobes(double d) {
 
 PhaseLobes lobes_of(Phase const& phase) {
     switch (phase.kind) {
-    case Phase::Kind::isotropic: return {};
-    case Phase::Kind::rayleigh: return {.first = {0, 1}};
-    case Phase::Kind::henyey_greenstein: return {.first = {phase.g, 0}};
-    case Phase::Kind::double_henyey_greenstein: return {{phase.g, 0}, {phase.second_g, 0}, phase.second_weight};
-    case Phase::Kind::cornette_shanks: return {.first = {phase.g, 1}};
-    case Phase::Kind::droplets: return droplet_lobes(1e6 * phase.diameter);
+    case Phase::Kind::isotropic:
+        return {};
+    case Phase::Kind::rayleigh:
+        return {.first = {0, 1}};
+    case Phase::Kind::henyey_greenstein:
+        return {.first = {phase.g, 0}};
+    case Phase::Kind::double_henyey_greenstein:
+        return {{phase.g, 0}, {phase.second_g, 0}, phase.second_weight};
+    case Phase::Kind::cornette_shanks:
+        return {.first = {phase.g, 1}};
+    case Phase::Kind::droplets:
+        return droplet_lobes(1e6 * phase.diameter);
     }
     return {};
 }

@@ -33,8 +33,8 @@ struct PhaseLobes {
     bool operator==(PhaseLobes const&) const = default;
 };
 
-/// Droplets: Jendersie and d'Eon 2023, An Approximate Mie Scattering Function for Fog and Cloud Rendering, their fit for
-/// water droplets of 5 to 50 micrometres.
+/// Droplets: Jendersie and d'Eon 2023, An Approximate Mie Scattering Function for Fog and Cloud Rendering, their fit
+/// for water droplets of 5 to 50 micrometres.
 PhaseLobes lobes_of(Phase const& phase);
 
 /// [1/sr]; integrates to 1 over the sphere. Without polarization.

@@ -15,11 +15,8 @@ Json number(json::NumberKey const& key) {
 Json triple(json::NumberKey const& key, std::string const& description) {
     json::NumberKey channel = key;
     channel.help = "of red, green, blue";
-    return {{"type", "array"},
-            {"description", description},
-            {"items", number(channel)},
-            {"minItems", 3},
-            {"maxItems", 3}};
+    return {
+        {"type", "array"}, {"description", description}, {"items", number(channel)}, {"minItems", 3}, {"maxItems", 3}};
 }
 
 Json object(std::string const& description, Json properties, std::vector<std::string> const& required) {

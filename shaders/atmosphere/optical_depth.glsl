@@ -61,7 +61,8 @@ INLINE vec2 stretch_below(AirRay ray, float begin, float end, float h) {
 INLINE float ramp_share_path(vec3 ramp, AirRay ray, float from, float to) {
     float middle = 0.5f * (from + to);
     float offset = GAUSS_OFFSET * 0.5f * (to - from);
-    float outer = ramp_share(ramp, altitude_at(ray, middle - offset)) + ramp_share(ramp, altitude_at(ray, middle + offset));
+    float outer =
+        ramp_share(ramp, altitude_at(ray, middle - offset)) + ramp_share(ramp, altitude_at(ray, middle + offset));
     return (outer * (5.0f / 18.0f) + ramp_share(ramp, altitude_at(ray, middle)) * (8.0f / 18.0f)) * (to - from);
 }
 
@@ -73,8 +74,8 @@ INLINE float ramp_path(vec3 ramp, AirRay ray, float begin, float end) {
     return above + ramp_share_path(ramp, ray, on.x, below.x) + ramp_share_path(ramp, ray, below.y, on.y);
 }
 
-INLINE void add_ramps(INOUT(vec3) depth, IN(Atmosphere) atmosphere, int i, INOUT(int) next_ramp, AirRay ray, float begin,
-                      float end) {
+INLINE void add_ramps(INOUT(vec3) depth, IN(Atmosphere) atmosphere, int i, INOUT(int) next_ramp, AirRay ray,
+                      float begin, float end) {
     int ramps = max((component_code(atmosphere, i) & 127) - 1, 0);
     float path = 0.0f;
     for (int j = 0; j < ramps; ++j)

@@ -14,8 +14,8 @@ INLINE float henyey_greenstein_phase(float nu, float g) {
     return (1.0f - g * g) / (4.0f * PI * base * sqrt(base));
 }
 
-// The same times (1 + alpha nu²) / (1 + alpha (1 + 2 g²) / 3): Draine 2003. alpha = 1 is Cornette's and Shanks' (1992; as in
-// Dereyne's Eq. 6 but for his factor 4 pi), with g = 0 Rayleigh's, 3 / (16 pi) (1 + nu²).
+// The same times (1 + alpha nu²) / (1 + alpha (1 + 2 g²) / 3): Draine 2003. alpha = 1 is Cornette's and Shanks' (1992;
+// as in Dereyne's Eq. 6 but for his factor 4 pi), with g = 0 Rayleigh's, 3 / (16 pi) (1 + nu²).
 INLINE float draine_phase(float nu, float g, float alpha) {
     return (1.0f + alpha * nu * nu) / (1.0f + alpha * (1.0f + 2.0f * g * g) / 3.0f) * henyey_greenstein_phase(nu, g);
 }

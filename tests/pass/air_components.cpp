@@ -71,8 +71,8 @@ TEST_F(AirComponents, are_absent_when_they_are_switched_off) {
 TEST_F(AirComponents, take_every_phase_while_it_runs) {
     Planet const planet = make_earth();
     FloatImage const before = draw(planet);
-    for (std::string const phase : {"isotropic", "rayleigh", "henyey_greenstein:0.5", "cornette_shanks:0.7", "droplets:2e-05",
-                                    "double_henyey_greenstein:0.8:-0.5:0.3"}) {
+    for (std::string const phase : {"isotropic", "rayleigh", "henyey_greenstein:0.5", "cornette_shanks:0.7",
+                                    "droplets:2e-05", "double_henyey_greenstein:0.8:-0.5:0.3"}) {
         FloatImage const changed = draw(planet, "", "aerosol=" + phase);
         EXPECT_GT(difference(changed, before), 0.01) << phase;
         Planet written = planet;

@@ -132,7 +132,8 @@ inline dvec3 single_scattering(Air const& air, Ray const& ray, double a, double 
         sum += gauss(
             [&](double t) {
                 double const h = ray.altitude(t);
-                return air.scattered(h, ray.nu) * sun_transmittance(air, h, ray.mu_s(t)) * glm::exp(-depth - gauss(extinction, at[i], t));
+                dvec3 const sun = sun_transmittance(air, h, ray.mu_s(t));
+                return air.scattered(h, ray.nu) * sun * glm::exp(-depth - gauss(extinction, at[i], t));
             },
             at[i], at[i + 1]);
         depth += gauss(extinction, at[i], at[i + 1]);

@@ -25,7 +25,8 @@ inline AirComponent aerosol_component(glm::dvec3 const& scattering, glm::dvec3 c
 inline Planet dense_planet() {
     Planet planet = make_earth();
     planet.air.at("rayleigh") = rayleigh_component({0.149e-3, 0.142e-3, 0.051e-3}, 18416);
-    planet.air.at("aerosol") = aerosol_component({0.046e-3, 0.047e-3, 0.057e-3}, {0.036e-3, 0.024e-3, 0.001e-3}, 13143, 0.8);
+    planet.air.at("aerosol") =
+        aerosol_component({0.046e-3, 0.047e-3, 0.057e-3}, {0.036e-3, 0.024e-3, 0.001e-3}, 13143, 0.8);
     return planet;
 }
 

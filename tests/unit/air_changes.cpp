@@ -14,7 +14,8 @@ TEST(AirChanges, switch_components_off) {
 }
 
 TEST(AirChanges, give_other_phases) {
-    Air const air = changed_air(make_earth().air, "", "aerosol=droplets:2e-05,rayleigh=double_henyey_greenstein:0.5:-0.25:0.1");
+    Air const air =
+        changed_air(make_earth().air, "", "aerosol=droplets:2e-05,rayleigh=double_henyey_greenstein:0.5:-0.25:0.1");
     EXPECT_EQ(air.at("aerosol").phase.kind, Phase::Kind::droplets);
     EXPECT_EQ(air.at("aerosol").phase.diameter, 2e-5);
     EXPECT_EQ(air.at("rayleigh").phase, (Phase{Phase::Kind::double_henyey_greenstein, 0.5, -0.25, 0.1}));
@@ -44,7 +45,10 @@ TEST(AirChanges, reach_the_world) {
 }
 
 TEST(AirChanges, bad_ones_are_refused) {
-    struct Case { std::string without, phases; std::vector<std::string> parts; };
+    struct Case {
+        std::string without, phases;
+        std::vector<std::string> parts;
+    };
     std::vector<Case> const cases{
         {"ozon", "", {"setting air_without", "no component \"ozon\"", "did you mean ozone?"}},
         {"x", "", {"it has rayleigh, aerosol, ozone"}},

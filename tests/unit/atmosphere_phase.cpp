@@ -33,12 +33,17 @@ TEST(Phases, integrate_to_one_over_the_sphere) {
     EXPECT_NEAR(over_sphere([](float) { return ISOTROPIC_PHASE; }), 1, 1e-6);
     for (float const g : {-0.9f, -0.3f, 0.0f, 0.5f, 0.76f, 0.8f, 0.95f})
         for (float const alpha : {0.0f, 1.0f, 20.0f})
-            EXPECT_NEAR(over_sphere([=](float nu) { return draine_phase(nu, g, alpha); }), 1, 1e-5) << g << " " << alpha;
+            EXPECT_NEAR(over_sphere([=](float nu) { return draine_phase(nu, g, alpha); }), 1, 1e-5)
+                << g << " " << alpha;
 }
 
 TEST(Phases, are_those_of_the_scene) {
-    for (Phase const& phase : {Phase{}, {Kind::rayleigh}, {Kind::henyey_greenstein, -0.3}, {Kind::cornette_shanks, 0.8},
-                               {Kind::double_henyey_greenstein, 0.8, -0.5, 0.3}, {Kind::droplets, 0, 0, 0, 2e-5}}) {
+    for (Phase const& phase : {Phase{},
+                               {Kind::rayleigh},
+                               {Kind::henyey_greenstein, -0.3},
+                               {Kind::cornette_shanks, 0.8},
+                               {Kind::double_henyey_greenstein, 0.8, -0.5, 0.3},
+                               {Kind::droplets, 0, 0, 0, 2e-5}}) {
         PhaseLobes const lobes = lobes_of(phase);
         for (float const nu : {-1.0f, -0.5f, 0.0f, 0.4f, 0.99f, 1.0f}) {
             double const exact = phase_value(lobes, nu);

@@ -52,9 +52,7 @@ double coefficient(Phase const& phase, int l) {
     return sum;
 }
 
-double lobe(double g, double c) {
-    return (1 - g * g) / (4 * std::numbers::pi) / std::pow(1 + g * g - 2 * g * c, 1.5);
-}
+double lobe(double g, double c) { return (1 - g * g) / (4 * std::numbers::pi) / std::pow(1 + g * g - 2 * g * c, 1.5); }
 
 } // namespace
 
@@ -84,7 +82,8 @@ TEST(Phase, values_are_the_formulas) {
     EXPECT_DOUBLE_EQ(value({Kind::isotropic}), 1 / (4 * pi));
     EXPECT_DOUBLE_EQ(value({Kind::rayleigh}), 3 / (16 * pi) * 1.09);
     EXPECT_NEAR(value({Kind::henyey_greenstein, 0.7}), lobe(0.7, c), 1e-14);
-    EXPECT_NEAR(value({Kind::double_henyey_greenstein, 0.8, -0.5, 0.3}), 0.7 * lobe(0.8, c) + 0.3 * lobe(-0.5, c), 1e-14);
+    EXPECT_NEAR(value({Kind::double_henyey_greenstein, 0.8, -0.5, 0.3}), 0.7 * lobe(0.8, c) + 0.3 * lobe(-0.5, c),
+                1e-14);
     EXPECT_NEAR(value({Kind::cornette_shanks, 0.8}), 1.5 * 1.09 / (2 + 0.64) * lobe(0.8, c), 1e-14);
 }
 
