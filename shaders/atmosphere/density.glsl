@@ -4,8 +4,8 @@
 #include "interop/atmosphere.h"
 
 #ifndef __cplusplus
-layout(constant_id = AIR_COMPOSITION_LOW_ID) int const AIR_COMPOSITION_LOW = 0;
-layout(constant_id = AIR_COMPOSITION_HIGH_ID) int const AIR_COMPOSITION_HIGH = 0;
+layout(constant_id = AIR_COMPOSITION_LOW_ID) const int AIR_COMPOSITION_LOW = 0;
+layout(constant_id = AIR_COMPOSITION_HIGH_ID) const int AIR_COMPOSITION_HIGH = 0;
 #endif
 
 SHADER_NAMESPACE_BEGIN
