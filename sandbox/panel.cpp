@@ -1,5 +1,6 @@
 #include "sandbox/panel.h"
 
+#include "sandbox/air_panel.h"
 #include "sandbox/settings_panel.h"
 
 #include <imgui.h>
@@ -81,6 +82,9 @@ void show_panel(KeyTarget target, PictureReport const& report) {
         ImGui::Separator();
         edit_sun(target.pilot);
         ImGui::Separator();
+        if (Planet const& planet = target.pilot.planet();
+            planet.has_air && ImGui::CollapsingHeader("What the air is made of"))
+            edit_air(target.pilot.settings(), planet.air);
         edit_settings(target.pilot.settings(), target.screen.images);
         if (!target.screen.model_limits.empty()) ImGui::TextWrapped("%s", target.screen.model_limits.c_str());
         if (ImGui::CollapsingHeader("Time of each pass [ms]", ImGuiTreeNodeFlags_DefaultOpen))

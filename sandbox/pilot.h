@@ -15,6 +15,7 @@ public:
 
     View const& view() const { return view_; }
     Settings& settings() { return view_.settings; } ///< the user's once the flight is over
+    Planet const& planet() const { return stage_.planet(); } ///< as its file has it
     bool user_flies() const { return camera_.has_value(); }
     /// Does nothing the second time.
     void take_over();

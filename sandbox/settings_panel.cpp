@@ -66,6 +66,7 @@ struct Widget {
 
 void edit_settings(Settings& settings, std::span<std::string const> images) {
     for (SettingInfo const& info : setting_table()) {
+        if (info.name == "air_without" || info.name == "air_phases") continue; // edit_air's
         std::string const label(info.name);
         SettingValue value = get_setting(settings, info);
         Widget const widget{info, label.c_str(), images};

@@ -21,6 +21,11 @@ constexpr std::array TABLE{
     SettingInfo{.name = "air", .member = &Settings::air, .help = "the air's in-scattered light and extinction"},
     SettingInfo{.name = "model", .member = &Settings::model, .choices = "march|naive|tables",
                 .help = "how the air is lit: docs/adding_a_model.md"},
+    SettingInfo{.name = "air_without", .member = &Settings::air_without,
+                .help = "names of the air's components that are switched off, commas between them"},
+    SettingInfo{.name = "air_phases", .member = &Settings::air_phases,
+                .help = "phases in place of the planet's: NAME=KIND:NUMBERS, such as `aerosol=henyey_greenstein:0.76`, "
+                        "commas between them"},
     SettingInfo{.name = "samples", .member = &Settings::samples, .smallest = 4, .largest = 1024,
                 .help = "march samples for each pixel"},
     SettingInfo{.name = "shafts", .member = &Settings::shafts,

@@ -17,6 +17,8 @@ struct Settings {
     // The air
     bool air = true;                 ///< the air's in-scattered light and extinction
     std::string model = "march";     ///< how the air is lit: render/models
+    std::string air_without{};       ///< components of the planet's air that are left out
+    std::string air_phases{};        ///< phases other than the planet's, NAME=PHASE
     int samples = 32;                ///< march samples for each pixel, 4 to 1024
     bool shafts = true;              ///< each march sample looks into the shadow cascades
     bool multiple_scattering = true; ///< light scattered more than once

@@ -163,8 +163,10 @@ Pipeline::~Pipeline() {
     vkDestroyDescriptorSetLayout(device_.handle(), set0_, nullptr);
 }
 
-Pipeline const& PipelineCache::compute(ShaderCode const& shader, std::vector<SlotLayout> const& slots, int variant) {
-    std::unique_ptr<Pipeline>& entry = pipelines_[fmt::format("{} {}{}", shader.name, variant, slots_key(slots))];
+Pipeline const& PipelineCache::compute(ShaderCode const& shader, std::vector<SlotLayout> const& slots,
+                                       std::vector<std::int32_t> const& specialization) {
+    std::string const key = fmt::format("{}{} {}", shader.name, slots_key(slots), fmt::join(specialization, " "));
+    std::unique_ptr<Pipeline>& entry = pipelines_[key];
     if (entry) return *entry;
     VkDescriptorSetLayout const set0 = make_push_layout(device_, slots, VK_SHADER_STAGE_COMPUTE_BIT);
     VkPipelineLayout const layout = make_layout(device_, std::array{set0}, VK_SHADER_STAGE_COMPUTE_BIT);
@@ -172,9 +174,12 @@ Pipeline const& PipelineCache::compute(ShaderCode const& shader, std::vector<Slo
     VkComputePipelineCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
     info.stage = module.stage(VK_SHADER_STAGE_COMPUTE_BIT);
-    VkSpecializationMapEntry const entry_of_variant{0, 0, sizeof variant};
-    VkSpecializationInfo const specialization{1, &entry_of_variant, sizeof variant, &variant};
-    info.stage.pSpecializationInfo = &specialization;
+    std::vector<VkSpecializationMapEntry> entries;
+    for (std::uint32_t id = 0; id < specialization.size(); ++id)
+        entries.push_back({id, id * std::uint32_t(sizeof(std::int32_t)), sizeof(std::int32_t)});
+    VkSpecializationInfo const constants{static_cast<std::uint32_t>(entries.size()), entries.data(),
+                                         std::span(specialization).size_bytes(), specialization.data()};
+    info.stage.pSpecializationInfo = &constants;
     info.layout = layout;
     VkPipeline pipeline = VK_NULL_HANDLE;
     check(vkCreateComputePipelines(device_.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),

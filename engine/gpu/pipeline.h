@@ -65,8 +65,9 @@ class PipelineCache {
 public:
     explicit PipelineCache(Device const& device) : device_(device) {}
 
-    /// `variant`: the value of the shader's specialization constant 0, where it has one. Each value is compiled by itself.
-    Pipeline const& compute(ShaderCode const& shader, std::vector<SlotLayout> const& slots, int variant = 0);
+    /// `specialization`: the values of the shader's constants with the ids 0, 1, …; those it doesn't have are ignored.
+    Pipeline const& compute(ShaderCode const& shader, std::vector<SlotLayout> const& slots,
+                            std::vector<std::int32_t> const& specialization = {});
     Pipeline const& raster(RasterState const& state, std::vector<SlotLayout> const& slots);
 
 private:

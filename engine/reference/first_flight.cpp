@@ -65,6 +65,7 @@ FirstFlight::FirstFlight(Medium const& medium, OpticalDepth const& depth, Sunlig
     : ray_(ray), depth_(depth, ray), start_(depth_.at(from)) {
     Surroundings const around{medium, sun, guide};
     std::vector<double> edges = first_edges(from, to, medium.radius);
+    cut_at_nodes(edges, medium);
     cut_at_shadow(edges, sun);
     std::vector<Cell> cells = make_cells(around, edges);
     halve_uneven(around, cells);
@@ -84,6 +85,23 @@ std::vector<double> FirstFlight::first_edges(double from, double to, double radi
     double const first = edges[1] - edges[0];
     for (double const share : {0.5, 0.25, 0.1, 0.03}) edges.insert(edges.begin() + 1, from + share * first);
     return edges;
+}
+
+/// Where the density of something that scatters bends or steps: a thin shell lies between the cells' own points.
+void FirstFlight::cut_at_nodes(std::vector<double>& edges, Medium const& medium) const {
+    double const from = edges.front(), to = edges.back();
+    for (Component const& component : medium.components) {
+        auto const* const linear = std::get_if<LinearProfile>(&component.profile);
+        if (!linear || component.scattering == glm::dvec3(0)) continue;
+        for (LinearProfile::Node const& node : linear->nodes) {
+            double const radius = medium.radius + node.altitude;
+            double const half_chord = std::sqrt(std::max(0.0, radius * radius - ray_.closest_squared));
+            for (double const at : {-ray_.along - half_chord, -ray_.along + half_chord})
+                if (at > from && at < to) edges.push_back(at);
+        }
+    }
+    std::ranges::sort(edges);
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
 }
 
 /// The shadow of a ball is convex: where both ends of a cell are dark, so is all of it.

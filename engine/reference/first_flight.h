@@ -50,6 +50,7 @@ private:
         LightGuide const& guide;
     };
     std::vector<double> first_edges(double from, double to, double radius) const;
+    void cut_at_nodes(std::vector<double>& edges, Medium const& medium) const;
     void cut_at_shadow(std::vector<double>& edges, Sunlight const& sun) const;
     Light light_at(Surroundings const& around, double distance) const;
     std::vector<Cell> make_cells(Surroundings const& around, std::vector<double> const& edges) const;

@@ -30,7 +30,8 @@ LedFlight::LedFlight(Medium const& medium, LightGuide const& guide) : guide_(&gu
         double const bottom = medium.top * std::pow(low, 1.5), top = medium.top * std::pow(high, 1.5);
         Shell shell{glm::dvec3(0), glm::dvec3(0)};
         for (Component const& component : medium.components) {
-            double const there = density(component.profile, 0.5 * (bottom + top));
+            double const column = profile_column(component.profile, top) - profile_column(component.profile, bottom);
+            double const there = column / (top - bottom);
             shell.scattering += component.scattering * there;
             shell.extinction += component.extinction * there;
         }

@@ -24,7 +24,7 @@ private:
     LightGuide const* guide_;
     std::vector<double> top_radii_;
     struct Shell {
-        glm::dvec3 scattering, extinction; ///< [1/m] in the shell's middle
+        glm::dvec3 scattering, extinction; ///< [1/m] the shell's mean
     };
     std::vector<Shell> shells_;
 };

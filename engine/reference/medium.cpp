@@ -48,16 +48,10 @@ glm::dvec3 Medium::extinction(double altitude) const {
 Medium make_medium(Planet const& planet) {
     Medium medium{.radius = planet.radius, .top = planet.air.top_altitude, .components = {}};
     if (!planet.has_air) return medium;
-    auto const add_exponential = [&](ExponentialMedium const& part, Phase const& phase) {
-        medium.components.push_back(
-            {part.scattering, part.extinction, ExponentialProfile{part.scale_height}, phase});
-    };
-    Air const& air = planet.air;
-    add_exponential(air.rayleigh, {.kind = Phase::Kind::rayleigh});
-    add_exponential(air.aerosol, {.kind = Phase::Kind::cornette_shanks, .g = air.aerosol_g});
-    double const centre = air.ozone_centre, half = air.ozone_half_width;
-    medium.components.push_back({glm::dvec3(0), air.ozone_absorption,
-                                 LinearProfile{{{centre - half, 0}, {centre, 1}, {centre + half, 0}}}, Phase{}});
+    for (AirComponent const& part : planet.air.components) {
+        if (!part.on) continue;
+        medium.components.push_back({part.scattering, part.extinction(), part.profile, lobes_of(part.phase)});
+    }
     return medium;
 }
 

@@ -1,31 +1,12 @@
 #pragma once
 
-#include "reference/phase.h"
 #include "scene/planet.h"
 
 #include <glm/glm.hpp>
 
-#include <variant>
 #include <vector>
 
 namespace alpenglow {
-
-/// exp(-altitude / scale_height), up to the medium's top.
-struct ExponentialProfile {
-    double scale_height = 8000; ///< [m]
-};
-
-/// Linear between the nodes, 0 outside: a tent, a shell of constant density, a table. Altitudes increase; two nodes at
-/// one altitude make a step.
-struct LinearProfile {
-    struct Node {
-        double altitude = 0; ///< [m]
-        double density = 0;
-    };
-    std::vector<Node> nodes;
-};
-
-using Profile = std::variant<ExponentialProfile, LinearProfile>;
 
 /// Share of the component's coefficients at an altitude [m].
 double density(Profile const& profile, double altitude);
@@ -37,7 +18,7 @@ struct Component {
     glm::dvec3 scattering{0}; ///< [1/m]
     glm::dvec3 extinction{0}; ///< [1/m], scattering + absorption
     Profile profile;
-    Phase phase;
+    PhaseLobes phase;
 };
 
 /// Everything that scatters and absorbs around a planet, from its reference radius to the top.
@@ -50,7 +31,7 @@ struct Medium {
     glm::dvec3 extinction(double altitude) const; ///< [1/m]
 };
 
-/// The planet's air: Rayleigh, the aerosol by Cornette and Shanks, the ozone's tent. No components where it has none.
+/// The planet's air, but for what is switched off. No components where it has none.
 Medium make_medium(Planet const& planet);
 
 } // namespace alpenglow

@@ -1,6 +1,7 @@
 #include "reference/path_tracer.h"
 
 #include "core/error.h"
+#include "reference/phase.h"
 #include "reference/surface_scattering.h"
 
 #include <algorithm>
@@ -54,7 +55,7 @@ public:
     }
 
     /// The phase of the constituent that a number in (0, 1) means, each as likely as its share of the scattered light.
-    Phase const& choose(glm::dvec3 const& light, double u) const {
+    PhaseLobes const& choose(glm::dvec3 const& light, double u) const {
         double left = u * dot(light, total_);
         std::size_t i = 0;
         for (; i + 1 < components_.size(); ++i) {
@@ -170,7 +171,7 @@ bool PathTracer::scatter_in_air(Path& path) const {
     if (choice < led_share) {
         direction = led.sample(u, v);
     } else {
-        Phase const& phase = air.choose(path.throughput, (choice - led_share) / (1 - led_share));
+        PhaseLobes const& phase = air.choose(path.throughput, (choice - led_share) / (1 - led_share));
         direction = around(path.direction, sample_phase_cosine(phase, u), v);
     }
     glm::dvec3 const value = path.throughput * air.towards(dot(path.direction, direction));

@@ -277,7 +277,10 @@ void Executor::push_slots(Recording& recording, VkPipelineBindPoint point, VkPip
 }
 
 void Executor::record(Recording& recording, ComputePass const& pass) {
-    Pipeline const& pipeline = pipelines_.compute(pass.shader, layout_of(pass.slots), pass.variant);
+    std::vector<std::int32_t> specialization{pass.variant};
+    std::vector<std::int32_t> const& of_frame = recording.graph.specialization();
+    specialization.insert(specialization.end(), of_frame.begin(), of_frame.end());
+    Pipeline const& pipeline = pipelines_.compute(pass.shader, layout_of(pass.slots), specialization);
     VkCommandBuffer const commands = recording.commands();
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.handle());
     push_slots(recording, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.layout(), pass.slots);

@@ -1,7 +1,6 @@
 #include "render/frame_constants.h"
 
 #include "interop/display.h"
-#include "render/phase_moments.h"
 
 #include <algorithm>
 #include <array>
@@ -87,29 +86,6 @@ int curve_index(std::string_view name) {
     constexpr std::array<std::string_view, CURVE_COUNT> NAMES{"filmic", "exponential", "reinhard", "aces",
                                                              "lottes", "uchimura",    "agx",         "linear"};
     return static_cast<int>(std::ranges::find(NAMES, name) - NAMES.begin());
-}
-
-shader::Atmosphere atmosphere_of(Planet const& planet) {
-    Air const& air = planet.air;
-    shader::Atmosphere a{};
-    a.ground_radius = static_cast<float>(planet.radius);
-    a.top_altitude = static_cast<float>(air.top_altitude);
-    a.rayleigh_scattering = glm::vec3(air.rayleigh.scattering);
-    a.rayleigh_scale_height = static_cast<float>(air.rayleigh.scale_height);
-    a.aerosol_scattering = glm::vec3(air.aerosol.scattering);
-    a.aerosol_scale_height = static_cast<float>(air.aerosol.scale_height);
-    a.aerosol_extinction = glm::vec3(air.aerosol.extinction);
-    a.aerosol_g = static_cast<float>(air.aerosol_g);
-    a.ozone_absorption = glm::vec3(air.ozone_absorption);
-    a.ozone_centre = static_cast<float>(air.ozone_centre);
-    a.ozone_half_width = static_cast<float>(air.ozone_half_width);
-    a.ground_albedo = glm::vec3(planet.ground_albedo);
-    a.solar_irradiance = glm::vec3(planet.solar_irradiance);
-    a.sun_angular_radius = static_cast<float>(planet.sun_angular_radius);
-    a.phase_moments[RAYLEIGH_MOMENTS] = phase_moments([](double nu) { return rayleigh_phase(nu); });
-    a.phase_moments[AEROSOL_MOMENTS] =
-        phase_moments([g = air.aerosol_g](double nu) { return cornette_shanks_phase(nu, g); });
-    return a;
 }
 
 shader::FrameConstants make_frame_constants(World const& world, Settings const& settings, Extent extent,

@@ -3,6 +3,7 @@
 #include "core/extent.h"
 #include "core/settings.h"
 #include "interop/frame.h"
+#include "render/atmosphere_constants.h"
 #include "render/cascades.h"
 #include "scene/view.h"
 
@@ -16,8 +17,6 @@ glm::dvec2 supersample_offset(int index, int count);
 
 /// interop/display.h's constant for a tone curve's name in the settings.
 int curve_index(std::string_view name);
-
-shader::Atmosphere atmosphere_of(Planet const& planet);
 
 /// Everything the shaders know of a frame. `ceiling` [m]: the highest place of any mesh above the planet's radius.
 shader::FrameConstants make_frame_constants(World const& world, Settings const& settings, Extent extent,

@@ -123,6 +123,9 @@ public:
     template <typename T>
     ConstantsId add_constants(T const& value) { return add_constant_bytes(bytes_of(value)); }
 
+    /// Values of the specialization constants 1, 2, … of every compute shader: another value is another pipeline.
+    void specialize(std::vector<std::int32_t> values) { specialization_ = std::move(values); }
+
     void add(ComputePass pass);
     void add(RasterPass pass);
     /// The last use of the frame: the window shows the image.
@@ -135,6 +138,7 @@ public:
     std::vector<Image> const& images() const { return images_; }
     std::vector<Pass> const& passes() const { return passes_; }
     std::vector<std::vector<std::byte>> const& constant_blocks() const { return constants_; }
+    std::vector<std::int32_t> const& specialization() const { return specialization_; }
     ImageId presented() const { return presented_; }
 
     /// The passes as `plan` takes them; the present comes last as a pass of its own.
@@ -146,6 +150,7 @@ private:
     std::vector<Image> images_;
     std::vector<Pass> passes_;
     std::vector<std::vector<std::byte>> constants_;
+    std::vector<std::int32_t> specialization_;
     ImageId presented_;
 };
 

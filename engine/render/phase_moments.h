@@ -1,21 +1,16 @@
 #pragma once
 
 #include "interop/atmosphere.h"
-
-#include <functional>
+#include "scene/phase.h"
 
 namespace alpenglow {
 
-/// A phase [1/sr] by the cosine of the angle that light is turned by; 1 over the sphere.
-using PhaseFunction = std::function<double(double cosine)>;
+/// The share f of a phase's light that is taken to go straight on when light is scattered more than once: the Legendre
+/// coefficient of degree 10, a tenth for the aerosol where g = 0.8 (docs/atmosphere.md). 0 for Rayleigh and isotropic
+/// phases, and for those that look back rather than on, whose odd degrees are negative.
+double straight_on_share(PhaseLobes const& lobes);
 
-double rayleigh_phase(double cosine);
-/// Cornette and Shanks 1992, -1 < g < 1.
-double cornette_shanks_phase(double cosine, double g);
-
-/// The phase's Legendre coefficients by quadrature, for light scattered more than once. The share f that is taken to go
-/// straight on is the coefficient of degree 10: a tenth where g = 0.8 (docs/decisions/0006). Good to 1e-6 for phases
-/// whose forward peak is no narrower than 0.1 degree.
-shader::PhaseMoments phase_moments(PhaseFunction const& phase);
+/// The phase's Legendre coefficients of degrees 0 to 4, less that share.
+shader::PhaseMoments phase_moments(PhaseLobes const& lobes);
 
 } // namespace alpenglow

@@ -48,7 +48,7 @@ public:
         using Event = nlohmann::json::parse_event_t;
         if (depth > DEEPEST) {
             throw Error(ErrorKind::bad_input, fmt::format("is nested more than {} levels deep", DEEPEST), file_,
-                        "our files need four");
+                        "our files need eight");
         }
         if (event == Event::object_start) open_.emplace_back();
         if (event == Event::object_end) open_.pop_back();

@@ -2,52 +2,16 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "scene/air_reader.h"
 #include "scene/file_keys.h"
+#include "scene/spectrum.h"
 
 namespace alpenglow {
 
 namespace {
 
-using json::NumberKey;
 using json::Object;
 using json::Value;
-
-void require_shares(Value const& medium, ExponentialMedium const& read) {
-    if (glm::any(glm::lessThan(read.extinction, read.scattering))) {
-        medium.refuse("extinction is less than scattering", "extinction is scattering plus absorption");
-    }
-}
-
-ExponentialMedium read_rayleigh(Value const& value) {
-    Object const medium = value.object({"scattering", "scale_height"});
-    glm::dvec3 const scattering = medium.at("scattering").triple(json::COEFFICIENT);
-    return {scattering, scattering, medium.number(json::SCALE_HEIGHT)};
-}
-
-void read_aerosol(Value const& value, Air& air) {
-    Object const medium = value.object({"scattering", "extinction", "scale_height", "g"});
-    air.aerosol = {medium.at("scattering").triple(json::COEFFICIENT), medium.at("extinction").triple(json::COEFFICIENT),
-                   medium.number(json::SCALE_HEIGHT)};
-    air.aerosol_g = medium.number(json::ASYMMETRY);
-    require_shares(value, air.aerosol);
-}
-
-void read_ozone(Value const& value, Air& air) {
-    Object const ozone = value.object({"absorption", "centre", "half_width"});
-    air.ozone_absorption = ozone.at("absorption").triple(json::COEFFICIENT);
-    air.ozone_centre = ozone.number(json::OZONE_CENTRE);
-    air.ozone_half_width = ozone.number(json::OZONE_HALF_WIDTH);
-}
-
-Air read_air(Value const& value) {
-    Object const object = value.object({"top_altitude", "rayleigh", "aerosol", "ozone"});
-    Air air;
-    air.top_altitude = object.number(json::TOP_ALTITUDE);
-    air.rayleigh = read_rayleigh(object.at("rayleigh"));
-    if (object.has("aerosol")) read_aerosol(object.at("aerosol"), air);
-    if (object.has("ozone")) read_ozone(object.at("ozone"), air);
-    return air;
-}
 
 GroundLook read_look(Value const& value) {
     std::string const look = value.text();
@@ -102,11 +66,20 @@ std::filesystem::path planet_file(std::filesystem::path const& file_or_name) {
 
 Planet make_earth() {
     Planet earth{.name = "earth"};
-    Air& air = earth.air;
-    air.rayleigh.scattering = air.rayleigh.extinction = {5.802e-6, 13.558e-6, 33.100e-6};
-    air.rayleigh.scale_height = 8000;
-    air.aerosol = {.scattering = glm::dvec3(3.996e-6), .extinction = glm::dvec3(4.440e-6), .scale_height = 1200};
-    air.ozone_absorption = {0.650e-6, 1.881e-6, 0.085e-6};
+    Profile const ozone = tent_profile(25000, 15000);
+    earth.air.components = {
+        {.name = "rayleigh",
+         .scattering = rayleigh_scattering(CANONICAL_WAVELENGTHS),
+         .phase = {.kind = Phase::Kind::rayleigh},
+         .profile = ExponentialProfile{8000}},
+        {.name = "aerosol",
+         .scattering = glm::dvec3(3.996e-6),
+         .absorption = glm::dvec3(0.444e-6),
+         .phase = {.kind = Phase::Kind::cornette_shanks, .g = 0.8},
+         .profile = ExponentialProfile{1200}},
+        {.name = "ozone",
+         .absorption = ozone_absorption(300, profile_column(ozone, earth.air.top_altitude), CANONICAL_WAVELENGTHS),
+         .profile = ozone}};
     return earth;
 }
 

@@ -1,6 +1,7 @@
 #include "scene/view.h"
 
 #include "core/error.h"
+#include "scene/air_changes.h"
 #include "scene/file_keys.h"
 #include "scene/view_reader.h"
 
@@ -132,9 +133,12 @@ World make_world(View const& view, Planet const& planet) {
                     "view " + view.name, "give an altitude above 0, the planet's reference radius");
     }
     Geodetic const anchor = sun_anchor(view);
-    return {.planet = planet,
-            .camera = camera_at(view.camera, planet.radius),
-            .to_sun = sun_direction(view.sun, anchor.latitude, anchor.longitude)};
+    World world{.planet = planet,
+                .camera = camera_at(view.camera, planet.radius),
+                .to_sun = sun_direction(view.sun, anchor.latitude, anchor.longitude)};
+    Settings const& settings = view.settings;
+    world.planet.air = changed_air(std::move(world.planet.air), settings.air_without, settings.air_phases);
+    return world;
 }
 
 } // namespace alpenglow

@@ -1,31 +1,77 @@
-// What the air is made of at one altitude. Needs positive scale heights and a positive width of the ozone's tent.
+// What the air is made of at one altitude.
 #ifndef ALPENGLOW_ATMOSPHERE_DENSITY_GLSL
 #define ALPENGLOW_ATMOSPHERE_DENSITY_GLSL
 #include "atmosphere/math.glsl"
 #include "interop/atmosphere.h"
+
+#ifndef __cplusplus
+layout(constant_id = AIR_COMPOSITION_LOW_ID) const int AIR_COMPOSITION_LOW = 0;
+layout(constant_id = AIR_COMPOSITION_HIGH_ID) const int AIR_COMPOSITION_HIGH = 0;
+#endif
+
 SHADER_NAMESPACE_BEGIN
 
+// What there is at a point, with one entry for each component of the air.
 struct Medium {
-    vec3 rayleigh_scattering; // [1/m]
-    vec3 aerosol_scattering;  // [1/m]
-    vec3 extinction;          // [1/m] scattering and absorption of all that is there
+    vec3 scattering[AIR_COMPONENTS]; // [1/m]
+    vec3 extinction;                 // [1/m] scattering and absorption of all together
 };
 
-// Density relative to sea level.
-INLINE float exponential_density(float h, float scale_height) { return exp(-h / scale_height); }
-
-// Density relative to the peak. The ozone profile of Bruneton's and Hillaire's code; 300 Dobson units on Earth.
-INLINE float ozone_density(Atmosphere atmosphere, float h) {
-    return max(0.0f, 1.0f - abs(h - atmosphere.ozone_centre) / atmosphere.ozone_half_width);
+INLINE int component_code(IN(Atmosphere) atmosphere, int i) {
+#ifdef __cplusplus
+    ivec2 composition = atmosphere.composition;
+#else
+    ivec2 composition = ivec2(AIR_COMPOSITION_LOW, AIR_COMPOSITION_HIGH);
+#endif
+    return ((i < 4 ? composition.x : composition.y) >> (8 * (i & 3))) & 255;
 }
 
-INLINE Medium medium_at(Atmosphere atmosphere, float h) {
-    float rayleigh = exponential_density(h, atmosphere.rayleigh_scale_height);
-    float aerosol = exponential_density(h, atmosphere.aerosol_scale_height);
-    vec3 scattered = atmosphere.rayleigh_scattering * rayleigh;
-    vec3 extinction = scattered + atmosphere.aerosol_extinction * aerosol +
-                      atmosphere.ozone_absorption * ozone_density(atmosphere, h);
-    return Medium(scattered, atmosphere.aerosol_scattering * aerosol, extinction);
+INLINE bool component_scatters(IN(Atmosphere) atmosphere, int i) { return component_code(atmosphere, i) > 127; }
+
+// The share of a ramp's rise at altitude h [m]. `ramp` as in Atmosphere.
+INLINE float ramp_share(vec3 ramp, float h) { return clamp((h - ramp.x) * ramp.y, 0.0f, 1.0f); }
+
+// Relative to where the component's coefficients hold. `next_ramp`: its first ramp; then the next component's.
+INLINE float component_density(IN(Atmosphere) atmosphere, int i, INOUT(int) next_ramp, float h) {
+    int ramps = (component_code(atmosphere, i) & 127) - 1;
+    if (ramps == 0) return exp(h * atmosphere.components[i].falloff);
+    float density = 0.0f;
+    for (int j = 0; j < ramps; ++j)
+        density += atmosphere.ramps[next_ramp + j].z * ramp_share(atmosphere.ramps[next_ramp + j], h);
+    next_ramp += ramps;
+    return density;
+}
+
+INLINE void add_component(INOUT(Medium) medium, IN(Atmosphere) atmosphere, int i, INOUT(int) next_ramp, float h) {
+    int code = component_code(atmosphere, i);
+    medium.scattering[i] = vec3(0.0f);
+    if (code == 0) return;
+    float density = component_density(atmosphere, i, next_ramp, h);
+    medium.extinction += atmosphere.components[i].extinction * density;
+    if (component_scatters(atmosphere, i)) medium.scattering[i] = atmosphere.components[i].scattering * density;
+}
+
+// One after the other, not in a loop: with known numbers compilers drop what is not there.
+INLINE Medium medium_at(IN(Atmosphere) atmosphere, float h) {
+    Medium medium;
+    medium.extinction = vec3(0.0f);
+    int ramp = 0;
+    add_component(medium, atmosphere, 0, ramp, h);
+    add_component(medium, atmosphere, 1, ramp, h);
+    add_component(medium, atmosphere, 2, ramp, h);
+    add_component(medium, atmosphere, 3, ramp, h);
+    add_component(medium, atmosphere, 4, ramp, h);
+    add_component(medium, atmosphere, 5, ramp, h);
+    add_component(medium, atmosphere, 6, ramp, h);
+    add_component(medium, atmosphere, 7, ramp, h);
+    return medium;
+}
+
+// Of all components together [1/m].
+INLINE vec3 total_scattering(IN(Medium) medium) {
+    vec3 sum = medium.scattering[0];
+    for (int i = 1; i < AIR_COMPONENTS; ++i) sum += medium.scattering[i];
+    return sum;
 }
 
 // The air of a cell of a march.
@@ -40,15 +86,13 @@ struct CellMedium {
 CONSTANT float LIGHT_TOWARDS_MASS = 0.7f;
 
 // From both ends and the middle by Simpson's rule: cells may be as long as two scale heights.
-INLINE CellMedium cell_medium(Medium begin, Medium middle, Medium end) {
-    Medium mean =
-        Medium((begin.rayleigh_scattering + 4.0f * middle.rayleigh_scattering + end.rayleigh_scattering) * (1.0f / 6.0f),
-               (begin.aerosol_scattering + 4.0f * middle.aerosol_scattering + end.aerosol_scattering) * (1.0f / 6.0f),
-               (begin.extinction + 4.0f * middle.extinction + end.extinction) * (1.0f / 6.0f));
-    float more = end.rayleigh_scattering.y + end.aerosol_scattering.y - begin.rayleigh_scattering.y -
-                 begin.aerosol_scattering.y;
-    float all = mean.rayleigh_scattering.y + mean.aerosol_scattering.y;
-    return CellMedium(mean, LIGHT_TOWARDS_MASS * more / max(12.0f * all, TINY));
+INLINE CellMedium cell_medium(IN(Medium) begin, IN(Medium) middle, IN(Medium) end) {
+    Medium mean;
+    for (int i = 0; i < AIR_COMPONENTS; ++i)
+        mean.scattering[i] = (begin.scattering[i] + 4.0f * middle.scattering[i] + end.scattering[i]) * (1.0f / 6.0f);
+    mean.extinction = (begin.extinction + 4.0f * middle.extinction + end.extinction) * (1.0f / 6.0f);
+    float more = total_scattering(end).y - total_scattering(begin).y;
+    return CellMedium(mean, LIGHT_TOWARDS_MASS * more / max(12.0f * total_scattering(mean).y, TINY));
 }
 
 SHADER_NAMESPACE_END

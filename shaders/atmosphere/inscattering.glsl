@@ -5,37 +5,15 @@
 #include "atmosphere/multiple_scattering.glsl"
 SHADER_NAMESPACE_BEGIN
 
-// The phases of one ray: constant along it.
-struct RayPhases {
-    float rayleigh; // [1/sr]
-    float aerosol;  // [1/sr]
-};
-
-INLINE RayPhases phases_of(Atmosphere atmosphere, float nu) {
-    return RayPhases(rayleigh_phase(nu), cornette_shanks_phase(nu, atmosphere.aerosol_g));
-}
-
-// Light that has been scattered before and is now scattered into the ray, per unit of each scattering [1/sr].
-struct DiffuseLight {
-    vec3 rayleigh;
-    vec3 aerosol;
-};
-
-INLINE DiffuseLight no_diffuse_light() { return DiffuseLight(vec3(0.0f), vec3(0.0f)); }
-
-INLINE DiffuseLight sample_diffuse_light(sampler2D table, Atmosphere atmosphere, AirPoint point, float nu) {
+INLINE DiffuseLight sample_diffuse_light(sampler2D table, IN(Atmosphere) atmosphere, AirPoint point, float nu) {
     LightMoments around = sample_light_moments(table, atmosphere, point.altitude, point.mu_s);
-    LightByDegree towards = light_by_degree(around, sunward_direction(point.mu, point.mu_s, nu));
-    vec3 mean = power32(around.root);
-    return DiffuseLight(mean * scattered_gain(atmosphere.phase_moments[RAYLEIGH_MOMENTS], towards),
-                        mean * scattered_gain(atmosphere.phase_moments[AEROSOL_MOMENTS], towards));
+    return diffuse_light(atmosphere, around, sunward_direction(point.mu, point.mu_s, nu));
 }
 
 // Radiance per metre [1/(sr m)] that the medium adds to the ray: sunlight `sun` at the point (transmittance times
 // shadow) by the phases, and diffuse light.
-INLINE vec3 inscattering_source(Medium medium, RayPhases phases, vec3 sun, DiffuseLight diffuse) {
-    return medium.rayleigh_scattering * (sun * phases.rayleigh + diffuse.rayleigh) +
-           medium.aerosol_scattering * (sun * phases.aerosol + diffuse.aerosol);
+INLINE vec3 inscattering_source(IN(Medium) medium, IN(RayPhases) phases, vec3 sun, IN(DiffuseLight) diffuse) {
+    return directed_scattering(medium, phases) * sun + diffuse_source(medium, diffuse);
 }
 
 // All orders between two distances [m] of a ray inside the air, in n cells: inscattered radiance [1/sr] and the

@@ -53,10 +53,42 @@ INLINE GatherDirection gather_direction(Atmosphere atmosphere, GatherRays rays, 
 }
 
 // Extinction [1/m] of light that has been scattered.
-INLINE vec3 diffuse_extinction(Atmosphere atmosphere, Medium medium) {
-    return medium.extinction -
-           medium.rayleigh_scattering * (1.0f - atmosphere.phase_moments[RAYLEIGH_MOMENTS].degree[0]) -
-           medium.aerosol_scattering * (1.0f - atmosphere.phase_moments[AEROSOL_MOMENTS].degree[0]);
+INLINE vec3 diffuse_extinction(IN(Atmosphere) atmosphere, IN(Medium) medium) {
+    vec3 extinction = medium.extinction;
+    for (int i = 0; i < AIR_COMPONENTS; ++i)
+        if (component_scatters(atmosphere, i))
+            extinction -= medium.scattering[i] * (1.0f - atmosphere.components[i].moments.degree[0]);
+    return extinction;
+}
+
+// Light that has been scattered before and is now scattered into a ray.
+struct DiffuseLight {
+    vec3 root;                 // 32nd root of its mean over all directions [1/sr]
+    vec3 gain[AIR_COMPONENTS]; // what each component scatters of it, per unit of its scattering, relative to the mean
+};
+
+INLINE DiffuseLight no_diffuse_light() {
+    DiffuseLight none;
+    none.root = vec3(0.0f);
+    for (int i = 0; i < AIR_COMPONENTS; ++i) none.gain[i] = vec3(0.0f);
+    return none;
+}
+
+INLINE DiffuseLight diffuse_light(IN(Atmosphere) atmosphere, IN(LightMoments) around, SunwardDirection direction) {
+    LightByDegree towards = light_by_degree(around, direction);
+    DiffuseLight light = no_diffuse_light();
+    light.root = around.root;
+    for (int i = 0; i < AIR_COMPONENTS; ++i)
+        if (component_scatters(atmosphere, i))
+            light.gain[i] = scattered_gain(atmosphere.components[i].moments, towards);
+    return light;
+}
+
+// What the medium adds of it to the ray [1/(sr m)].
+INLINE vec3 diffuse_source(IN(Medium) medium, IN(DiffuseLight) light) {
+    vec3 sum = medium.scattering[0] * light.gain[0];
+    for (int i = 1; i < AIR_COMPONENTS; ++i) sum += medium.scattering[i] * light.gain[i];
+    return sum * power32(light.root);
 }
 
 // Radiance that the ground sends up [1/sr], under an irradiance.
@@ -67,8 +99,7 @@ INLINE vec3 ground_radiance(Atmosphere atmosphere, vec3 irradiance) { return atm
 INLINE vec3 first_order_light(Atmosphere atmosphere, sampler2D transmittance_table, AirRay ray, int n) {
     AirSegment segment = air_segment(atmosphere, ray);
     MarchCells cells = make_march_cells(atmosphere, ray, segment.begin, segment.end);
-    float rayleigh = rayleigh_phase(ray.nu);
-    float aerosol = cornette_shanks_phase(ray.nu, atmosphere.aerosol_g);
+    RayPhases phases = phases_of(atmosphere, ray.nu);
     AirLight light = no_air_light();
     float from = segment.begin;
     Medium edge = medium_at(atmosphere, altitude_at(ray, from));
@@ -81,8 +112,7 @@ INLINE vec3 first_order_light(Atmosphere atmosphere, sampler2D transmittance_tab
         float cell_length = cell.end - cell.begin;
         AirPoint point = air_point_at(ray, cell.middle + air.centre * cell_length);
         vec3 sun = sample_sun_transmittance(transmittance_table, atmosphere, point.altitude, point.mu_s);
-        vec3 source = sun * (air.mean.rayleigh_scattering * rayleigh + air.mean.aerosol_scattering * aerosol);
-        add_cell(light, source, diffuse_extinction(atmosphere, air.mean), cell_length);
+        add_cell(light, directed_scattering(air.mean, phases) * sun, diffuse_extinction(atmosphere, air.mean), cell_length);
     }
     AirPoint last = air_point_at(ray, segment.end);
     vec3 sun = sample_sun_transmittance(transmittance_table, atmosphere, 0.0f, last.mu_s) * max(last.mu_s, 0.0f);
@@ -106,11 +136,8 @@ INLINE vec3 scattered_light(Atmosphere atmosphere, sampler2D table, AirRay ray, 
         float cell_length = cell.end - cell.begin;
         AirPoint point = air_point_at(ray, cell.middle + air.centre * cell_length);
         LightMoments around = sample_light_moments(table, atmosphere, point.altitude, point.mu_s);
-        LightByDegree towards = light_by_degree(around, sunward_direction(point.mu, point.mu_s, ray.nu));
-        vec3 source = air.mean.rayleigh_scattering *
-                          scattered_gain(atmosphere.phase_moments[RAYLEIGH_MOMENTS], towards) +
-                      air.mean.aerosol_scattering * scattered_gain(atmosphere.phase_moments[AEROSOL_MOMENTS], towards);
-        add_cell(light, source * power32(around.root), diffuse_extinction(atmosphere, air.mean), cell_length);
+        DiffuseLight diffuse = diffuse_light(atmosphere, around, sunward_direction(point.mu, point.mu_s, ray.nu));
+        add_cell(light, diffuse_source(air.mean, diffuse), diffuse_extinction(atmosphere, air.mean), cell_length);
     }
     float mu_s = air_point_at(ray, segment.end).mu_s;
     vec3 irradiance = sample_diffuse_irradiance(table, atmosphere, 0.0f, mu_s, 1.0f, mu_s);

@@ -2,13 +2,10 @@
 // sample) and the direction from the sample to the sun: a forward peak lies at nu = 1, around the sun's disc.
 #ifndef ALPENGLOW_ATMOSPHERE_PHASE_GLSL
 #define ALPENGLOW_ATMOSPHERE_PHASE_GLSL
-#include "atmosphere/math.glsl"
+#include "atmosphere/density.glsl"
 SHADER_NAMESPACE_BEGIN
 
 CONSTANT float ISOTROPIC_PHASE = 1.0f / (4.0f * PI);
-
-// 3 / (16 pi) (1 + nu²): Fernández Arenas, section 2.1.
-INLINE float rayleigh_phase(float nu) { return 3.0f / (16.0f * PI) * (1.0f + nu * nu); }
 
 // (1 - g²) / (4 pi (1 + g² - 2 g nu)^(3/2)): Henyey and Greenstein 1941. -1 < g < 1.
 INLINE float henyey_greenstein_phase(float nu, float g) {
@@ -16,10 +13,36 @@ INLINE float henyey_greenstein_phase(float nu, float g) {
     return (1.0f - g * g) / (4.0f * PI * base * sqrt(base));
 }
 
-// 3 (1 - g²) (1 + nu²) / (8 pi (2 + g²) (1 + g² - 2 g nu)^(3/2)): Cornette and Shanks 1992, as in Dereyne's Eq. 6 but
-// for his factor 4 pi. -1 < g < 1; Rayleigh's phase at g = 0.
-INLINE float cornette_shanks_phase(float nu, float g) {
-    return 1.5f * (1.0f + nu * nu) / (2.0f + g * g) * henyey_greenstein_phase(nu, g);
+// The same times (1 + alpha nu²) / (1 + alpha (1 + 2 g²) / 3): Draine 2003. alpha = 1 is Cornette's and Shanks' (1992;
+// as in Dereyne's Eq. 6 but for his factor 4 pi), with g = 0 Rayleigh's, 3 / (16 pi) (1 + nu²).
+INLINE float draine_phase(float nu, float g, float alpha) {
+    return (1.0f + alpha * nu * nu) / (1.0f + alpha * (1.0f + 2.0f * g * g) / 3.0f) * henyey_greenstein_phase(nu, g);
+}
+
+INLINE float component_phase(AirComponent component, float nu) {
+    return mix(draine_phase(nu, component.first_lobe.x, component.first_lobe.y),
+               draine_phase(nu, component.second_lobe.x, component.second_lobe.y), component.second_share);
+}
+
+// The phases of one ray: constant along it.
+struct RayPhases {
+    float of_component[AIR_COMPONENTS]; // [1/sr]
+};
+
+INLINE RayPhases phases_of(IN(Atmosphere) atmosphere, float nu) {
+    RayPhases phases;
+    for (int i = 0; i < AIR_COMPONENTS; ++i) {
+        phases.of_component[i] = 0.0f;
+        if (component_scatters(atmosphere, i)) phases.of_component[i] = component_phase(atmosphere.components[i], nu);
+    }
+    return phases;
+}
+
+// Scattering times phase of all components together [1/(m sr)].
+INLINE vec3 directed_scattering(IN(Medium) medium, IN(RayPhases) phases) {
+    vec3 sum = medium.scattering[0] * phases.of_component[0];
+    for (int i = 1; i < AIR_COMPONENTS; ++i) sum += medium.scattering[i] * phases.of_component[i];
+    return sum;
 }
 
 SHADER_NAMESPACE_END

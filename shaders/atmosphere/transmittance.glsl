@@ -1,4 +1,4 @@
-// Optical depth from a point to the top of the air, its table, and what is read from it.
+// The table of optical depth from a point to the top of the air, and what is read from it.
 // Table: TRANSMITTANCE_WIDTH x TRANSMITTANCE_HEIGHT, rgb = 32nd root of optical depth; x
 // the distance to the top of the air between its smallest and largest value at that altitude, y the distance to the
 // horizon (Bruneton and Neyret 2008, as told by Sakmary in 3.1.1, but for his altitude axis). Only directions above the
@@ -7,12 +7,8 @@
 // 0.27 %, hazy Earth 1.9 % and 0.5 %. Stored without the log it would be 1.2 % and 0.47 %, 5.4 % and 1.2 %.
 #ifndef ALPENGLOW_ATMOSPHERE_TRANSMITTANCE_GLSL
 #define ALPENGLOW_ATMOSPHERE_TRANSMITTANCE_GLSL
-#include "atmosphere/density.glsl"
-#include "atmosphere/march_samples.glsl"
+#include "atmosphere/optical_depth.glsl"
 SHADER_NAMESPACE_BEGIN
-
-// Three Gauss-Legendre nodes in each cell: 0.2 % at most where T > 1e-4.
-CONSTANT int OPTICAL_DEPTH_CELLS = 48;
 
 // Altitude [m] is clamped to the air, the direction to the horizon. `along` = r mu [m].
 INLINE vec2 transmittance_uv_from_altitude_along(Atmosphere atmosphere, float altitude, float along) {
@@ -45,30 +41,6 @@ INLINE vec2 transmittance_altitude_mu_from_uv(Atmosphere atmosphere, vec2 uv) {
     float power = nearest * (2.0f * radius + atmosphere.top_altitude + h);
     float mu = (power - to_top * to_top) / max(2.0f * (radius + h) * to_top, TINY);
     return vec2(h, to_top > 0.0f ? clamp(mu, -1.0f, 1.0f) : 1.0f);
-}
-
-// Optical depth between two distances [m] of a ray inside the air.
-INLINE vec3 compute_optical_depth(Atmosphere atmosphere, AirRay ray, float begin, float end) {
-    MarchCells cells = make_march_cells(atmosphere, ray, begin, end);
-    vec3 depth = vec3(0.0f);
-    float from = begin;
-    for (int i = 1; i <= OPTICAL_DEPTH_CELLS; ++i) {
-        float to = march_distance(cells, float(i) / float(OPTICAL_DEPTH_CELLS));
-        float middle = 0.5f * (from + to);
-        float offset = 0.774596669f * 0.5f * (to - from);
-        vec3 outer = medium_at(atmosphere, altitude_at(ray, middle - offset)).extinction +
-                     medium_at(atmosphere, altitude_at(ray, middle + offset)).extinction;
-        vec3 inner = medium_at(atmosphere, altitude_at(ray, middle)).extinction;
-        depth += (outer * vec3(5.0f / 18.0f) + inner * vec3(8.0f / 18.0f)) * (to - from);
-        from = to;
-    }
-    return depth;
-}
-
-// From altitude h [m] in the direction mu to the top of the air, as if there were no ground.
-INLINE vec3 compute_optical_depth_to_top(Atmosphere atmosphere, float h, float mu) {
-    AirRay ray = make_air_ray(atmosphere.ground_radius, h, mu, 0.0f, 0.0f);
-    return compute_optical_depth(atmosphere, ray, 0.0f, max(distance_out_of(ray, atmosphere.top_altitude), 0.0f));
 }
 
 // The texel that stores an optical depth.

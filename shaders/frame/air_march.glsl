@@ -39,35 +39,27 @@ Span shaded_span(AirRay ray, vec3 light, float entry, float end) {
 
 // Diffuse light changes slowly along a ray: a look into its six tiles at both ends and in the middle of a run of cells serves
 // them all, by a parabola between the 32nd roots, which follow an exponential nearly linearly.
-struct DiffuseNode {
-    vec3 root;          // of the mean diffuse light
-    vec3 rayleigh_gain; // what each scatters of it into the ray, relative to the mean
-    vec3 aerosol_gain;
+struct DiffuseRun {
+    DiffuseLight near, middle, far;
 };
 
 const int RUN = 8; // cells
 
-DiffuseNode diffuse_node(Atmosphere atmosphere, AirRay ray, float t) {
-    AirPoint point = air_point_at(ray, t);
-    LightMoments around = sample_light_moments(multiple_scattering_table, atmosphere, point.altitude, point.mu_s);
-    LightByDegree towards = light_by_degree(around, sunward_direction(point.mu, point.mu_s, ray.nu));
-    return DiffuseNode(around.root, scattered_gain(atmosphere.phase_moments[RAYLEIGH_MOMENTS], towards),
-                       scattered_gain(atmosphere.phase_moments[AEROSOL_MOMENTS], towards));
+DiffuseLight diffuse_node(Atmosphere atmosphere, AirRay ray, float t) {
+    return sample_diffuse_light(multiple_scattering_table, atmosphere, air_point_at(ray, t), ray.nu);
 }
-
-struct DiffuseRun {
-    DiffuseNode near, middle, far;
-};
 
 vec3 on_parabola(vec3 near, vec3 middle, vec3 far, float share) {
     return near * ((1.0 - share) * (1.0 - 2.0 * share)) + middle * (4.0 * share * (1.0 - share)) + far * (share * (2.0 * share - 1.0));
 }
 
 // At the share of the run's cells.
-DiffuseLight diffuse_light_in(DiffuseRun run, float share) {
-    vec3 mean = power32(max(on_parabola(run.near.root, run.middle.root, run.far.root, share), vec3(0.0)));
-    return DiffuseLight(mean * on_parabola(run.near.rayleigh_gain, run.middle.rayleigh_gain, run.far.rayleigh_gain, share),
-                        mean * on_parabola(run.near.aerosol_gain, run.middle.aerosol_gain, run.far.aerosol_gain, share));
+DiffuseLight diffuse_light_in(Atmosphere atmosphere, DiffuseRun run, float share) {
+    DiffuseLight light = no_diffuse_light();
+    light.root = max(on_parabola(run.near.root, run.middle.root, run.far.root, share), vec3(0.0));
+    for (int i = 0; i < AIR_COMPONENTS; ++i)
+        if (component_scatters(atmosphere, i)) light.gain[i] = on_parabola(run.near.gain[i], run.middle.gain[i], run.far.gain[i], share);
+    return light;
 }
 
 // Adds the light of one cell. `middle` is its share of the run, `seen` the share of the sun's disc that no mesh hides; `edge` the
@@ -79,7 +71,7 @@ void add_air_cell(inout AirLight light, Atmosphere atmosphere, RayPhases phases,
     edge = next;
     float cell_length = cell.end - cell.begin, t = cell.middle + air.centre * cell_length;
     vec3 sun = seen * sample_sun_transmittance_along(transmittance_table, atmosphere, altitude_at(ray, t), ray.sun_along + t * ray.nu);
-    DiffuseLight diffuse = diffuse_light_in(run, middle + air.centre * per_cell);
+    DiffuseLight diffuse = diffuse_light_in(atmosphere, run, middle + air.centre * per_cell);
     vec3 extinction = diffuse_extinction(atmosphere, air.mean);
     if ((frame.flags & FRAME_MULTIPLE_SCATTERING) == 0) {
         diffuse = no_diffuse_light();

@@ -3,9 +3,16 @@
 #define ALPENGLOW_INTEROP_ATMOSPHERE_H
 #include "interop/language.h"
 
+// What there is room for.
+#define AIR_COMPONENTS 8
+#define AIR_RAMPS 24
+
 #define PHASE_DEGREES 5
-#define RAYLEIGH_MOMENTS 0
-#define AEROSOL_MOMENTS 1
+
+// Specialization constants of every compute shader: Atmosphere.composition. With it known when a pipeline is made,
+// what the air does not have costs nothing. Constant 0 is the pass's own.
+#define AIR_COMPOSITION_LOW_ID 1
+#define AIR_COMPOSITION_HIGH_ID 2
 
 SHADER_NAMESPACE_BEGIN
 
@@ -15,24 +22,34 @@ struct PhaseMoments {
     float degree[PHASE_DEGREES];
 };
 
-struct Atmosphere {
-    float ground_radius;         // [m] reference radius, "sea level"
-    float top_altitude;          // [m] above it; no air beyond
-    vec3 rayleigh_scattering;    // [1/m] at sea level; Rayleigh absorbs nothing
-    float rayleigh_scale_height; // [m]
-    vec3 aerosol_scattering;     // [1/m] at sea level
-    float aerosol_scale_height;  // [m]
-    vec3 aerosol_extinction;     // [1/m] at sea level
-    float aerosol_g;             // asymmetry of the Cornette-Shanks phase
-    vec3 ozone_absorption;       // [1/m] at the tent's peak
-    float ozone_centre;          // [m] altitude of the peak
-    float ozone_half_width;      // [m]
-    vec3 ground_albedo;          // mean, for light that the ground gives back to the air
-    vec3 solar_irradiance;       // relative, above the air
-    float sun_angular_radius;    // [rad]
-    PhaseMoments phase_moments[2]; // RAYLEIGH_MOMENTS, AEROSOL_MOMENTS
+// One constituent of the air. Coefficients where its density is 1.
+struct AirComponent {
+    vec3 scattering;    // [1/m]
+    vec3 extinction;    // [1/m] scattering and absorption
+    float falloff;      // [1/m] density exp(falloff h), for a component without ramps
+    vec2 first_lobe;    // of the phase: g and alpha after Draine, as in engine/scene/phase.h
+    vec2 second_lobe;
+    float second_share; // 0 to 1
+    PhaseMoments moments;
 };
-CHECK_SIZE(Atmosphere, 144);
+CHECK_SIZE(AirComponent, 68);
+
+struct Atmosphere {
+    float ground_radius;      // [m] reference radius, "sea level"
+    float top_altitude;       // [m] above it; no air beyond
+    ivec2 composition;        // a byte for each component, from the lowest on: air_component_code
+    AirComponent components[AIR_COMPONENTS];
+    // Pieces of densities that are linear in altitude, component after component: z times a ramp from 0 at altitude
+    // x [m] to 1 at x + 1 / y; y [1/m] > 0.
+    vec3 ramps[AIR_RAMPS];
+    vec3 ground_albedo;       // mean, for light that the ground gives back to the air
+    vec3 solar_irradiance;    // relative, above the air
+    float sun_angular_radius; // [rad]
+};
+CHECK_SIZE(Atmosphere, 876);
+
+// 0 where there is no component.
+INLINE int air_component_code(int ramps, bool scatters) { return 1 + ramps + (scatters ? 128 : 0); }
 
 SHADER_NAMESPACE_END
 

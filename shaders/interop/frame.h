@@ -62,7 +62,7 @@ struct FrameConstants {
     int samples;                   // of the march
     int sample_index;              // which supersample this is
 };
-CHECK_SIZE(FrameConstants, 744);
+CHECK_SIZE(FrameConstants, 1476);
 
 SHADER_NAMESPACE_END
 #endif

@@ -1,5 +1,6 @@
 // One text for GLSL and C++: what differs between the two languages, and nothing else.
-// In shared text: pure functions, everything by parameter, `f` on literals, results through OUT(type), no swizzles.
+// In shared text: pure functions, everything by parameter, `f` on literals, results through OUT(type), large structs
+// through IN(type), no swizzles.
 #ifndef ALPENGLOW_INTEROP_LANGUAGE_H
 #define ALPENGLOW_INTEROP_LANGUAGE_H
 
@@ -7,6 +8,7 @@
 #include <glm/glm.hpp>
 #define INLINE inline
 #define CONSTANT inline constexpr
+#define IN(type) type const&
 #define OUT(type) type&
 #define INOUT(type) type&
 #define PRECISE
@@ -20,6 +22,7 @@
 #else
 #define INLINE
 #define CONSTANT const
+#define IN(type) type
 #define OUT(type) out type
 #define INOUT(type) inout type
 #define PRECISE precise // evaluated as written: no rearranging

@@ -93,8 +93,7 @@ TEST(ReferencesCheck, finds_three_percent_more_rayleigh_and_a_sun_half_a_degree_
     RadianceRecord const record = read_record(reference_of(file));
     View const view = load_view(file);
     Planet planet = load_planet(view.planet);
-    planet.air.rayleigh.scattering *= 1.03;
-    planet.air.rayleigh.extinction *= 1.03;
+    planet.air.at("rayleigh").scattering *= 1.03;
     EXPECT_GT(disagreement(record, TracedView(view, planet), 300).bias, 5);
 
     View moved = view;

@@ -1,4 +1,5 @@
 #include "render/frame_constants.h"
+#include "support/components.h"
 #include "support/light_reference.h"
 
 #include <algorithm>
@@ -16,9 +17,9 @@ Planet foggy_planet() {
     Planet planet;
     planet.look = GroundLook::uniform;
     planet.air.top_altitude = 5000;
-    planet.air.rayleigh = {glm::dvec3(1e-5, 2e-5, 4e-5), glm::dvec3(1e-5, 2e-5, 4e-5), 2000};
-    planet.air.aerosol = {glm::dvec3(1.5e-3), glm::dvec3(1.6e-3, 1.6e-3, 1.7e-3), 300};
-    planet.air.aerosol_g = 0.5;
+    planet.air.components = {
+        test::rayleigh_component(glm::dvec3(1e-5, 2e-5, 4e-5), 2000),
+        test::aerosol_component(glm::dvec3(1.5e-3), glm::dvec3(1e-4, 1e-4, 2e-4), 300, 0.5)};
     return planet;
 }
 

@@ -1,59 +1,32 @@
 #pragma once
 
 #include "atmosphere/inscattering.glsl"
+#include "render/atmosphere_constants.h"
+#include "support/components.h"
 
 #include <array>
 #include <vector>
 
 namespace alpenglow::test {
 
-/// Earth's air: Bruneton's and Hillaire's coefficients at 680, 550 and 440 nm.
-inline shader::Atmosphere earth_air() {
-    shader::Atmosphere air{};
-    air.ground_radius = 6.36e6f;
-    air.top_altitude = 1e5f;
-    air.rayleigh_scattering = {5.802e-6f, 13.558e-6f, 33.1e-6f};
-    air.rayleigh_scale_height = 8000;
-    air.aerosol_scattering = glm::vec3(3.996e-6f);
-    air.aerosol_scale_height = 1200;
-    air.aerosol_extinction = glm::vec3(4.44e-6f);
-    air.aerosol_g = 0.8f;
-    air.ozone_absorption = {0.65e-6f, 1.881e-6f, 0.085e-6f};
-    air.ozone_centre = 25000;
-    air.ozone_half_width = 15000;
-    air.ground_albedo = glm::vec3(0.2f);
-    air.solar_irradiance = glm::vec3(1);
-    air.sun_angular_radius = 0.004675f;
-    air.phase_moments[RAYLEIGH_MOMENTS] = {{1.0f, 0.0f, 0.1f, 0.0f, 0.0f}};
-    air.phase_moments[AEROSOL_MOMENTS] = {{0.8928f, 0.7370f, 0.6028f, 0.4702f, 0.3577f}};
-    return air;
-}
-
-/// Fernández Arenas' hazy Earth.
-inline shader::Atmosphere hazy_air() {
-    shader::Atmosphere air = earth_air();
-    air.aerosol_scattering = glm::vec3(2e-5f);
-    air.aerosol_extinction = glm::vec3(2e-5f / 0.9f);
-    air.aerosol_g = 0.76f;
-    return air;
-}
-
-/// Sakmary's fictional dense planet, his table 5.4.
-inline shader::Atmosphere dense_air() {
-    shader::Atmosphere air = earth_air();
-    air.rayleigh_scattering = {0.149e-3f, 0.142e-3f, 0.051e-3f};
-    air.rayleigh_scale_height = 18416;
-    air.aerosol_scattering = {0.046e-3f, 0.047e-3f, 0.057e-3f};
-    air.aerosol_extinction = {0.082e-3f, 0.071e-3f, 0.058e-3f};
-    air.aerosol_scale_height = 13143;
-    return air;
-}
+/// Clear Earth's air.
+inline shader::Atmosphere earth_air() { return atmosphere_of(make_earth()); }
+inline shader::Atmosphere hazy_air() { return atmosphere_of(hazy_planet()); }
+inline shader::Atmosphere dense_air() { return atmosphere_of(dense_planet()); }
 
 /// Nothing there at all.
 inline shader::Atmosphere no_air() {
-    shader::Atmosphere air = earth_air();
-    air.rayleigh_scattering = air.aerosol_scattering = air.aerosol_extinction = air.ozone_absorption = glm::vec3(0);
-    return air;
+    Planet planet = make_earth();
+    planet.air.components.clear();
+    return atmosphere_of(planet);
+}
+
+/// Molecules alone, `factor` times as many as Earth has.
+inline shader::Atmosphere molecules(double factor) {
+    Planet planet = make_earth();
+    planet.air.components.resize(1);
+    planet.air.components[0].scattering *= factor;
+    return atmosphere_of(planet);
 }
 
 /// A table as a pass fills it: `texel(uv)` for each texel's centre.

@@ -20,14 +20,42 @@ struct Air {
     shader::Atmosphere given;
     double radius() const { return given.ground_radius; }
     double top() const { return given.top_altitude; }
-    double rayleigh(double h) const { return std::exp(-h / given.rayleigh_scale_height); }
-    double aerosol(double h) const { return std::exp(-h / given.aerosol_scale_height); }
-    double ozone(double h) const {
-        return std::max(0.0, 1 - std::abs(h - given.ozone_centre) / double(given.ozone_half_width));
+    /// The density of a component, by the words of interop/atmosphere.h.
+    double density(int i, double h) const {
+        int ramp = 0;
+        for (int j = 0; j < i; ++j) ramp += ramps(j);
+        if (ramps(i) == 0) return std::exp(h * given.components[i].falloff);
+        double sum = 0;
+        for (int end = ramp + ramps(i); ramp < end; ++ramp)
+            sum += given.ramps[ramp].z * std::clamp((h - given.ramps[ramp].x) * given.ramps[ramp].y, 0.0, 1.0);
+        return sum;
     }
     dvec3 extinction(double h) const {
-        return dvec3(given.rayleigh_scattering) * rayleigh(h) + dvec3(given.aerosol_extinction) * aerosol(h) +
-               dvec3(given.ozone_absorption) * ozone(h);
+        dvec3 sum(0);
+        for (int i = 0; code(i) != 0; ++i) sum += dvec3(given.components[i].extinction) * density(i, h);
+        return sum;
+    }
+    /// Scattering times phase [1/(m sr)] at the cosine nu.
+    dvec3 scattered(double h, double nu) const {
+        dvec3 sum(0);
+        for (int i = 0; code(i) != 0; ++i)
+            sum += dvec3(given.components[i].scattering) * (density(i, h) * phase(given.components[i], nu));
+        return sum;
+    }
+
+private:
+    int code(int i) const {
+        return i < AIR_COMPONENTS ? (given.composition[i / 4] >> (8 * (i % 4))) & 255 : 0;
+    }
+    int ramps(int i) const { return code(i) % 128 - 1; }
+    static double lobe(glm::vec2 const& lobe, double nu) {
+        double const g = lobe.x, alpha = lobe.y;
+        return (1 - g * g) * (1 + alpha * nu * nu) / (1 + alpha * (1 + 2 * g * g) / 3) /
+               (4 * std::numbers::pi * std::pow(1 + g * g - 2 * g * nu, 1.5));
+    }
+    static double phase(shader::AirComponent const& component, double nu) {
+        double const share = component.second_share;
+        return (1 - share) * lobe(component.first_lobe, nu) + share * lobe(component.second_lobe, nu);
     }
 };
 
@@ -95,15 +123,8 @@ inline dvec3 sun_transmittance(Air const& air, double h, double mu_s) {
     return glm::exp(-optical_depth_to_top(air, h, std::max(mu_s, std::cos(horizon)))) * above;
 }
 
-inline double rayleigh_phase(double nu) { return 3 / (16 * std::numbers::pi) * (1 + nu * nu); }
-inline double cornette_shanks_phase(double nu, double g) {
-    return 3 / (8 * std::numbers::pi) * (1 - g * g) * (1 + nu * nu) /
-           ((2 + g * g) * std::pow(1 + g * g - 2 * g * nu, 1.5));
-}
-
 /// Single scattering between two distances [1/sr per unit of solar irradiance].
 inline dvec3 single_scattering(Air const& air, Ray const& ray, double a, double b) {
-    double const rayleigh = rayleigh_phase(ray.nu), aerosol = cornette_shanks_phase(ray.nu, air.given.aerosol_g);
     auto const at = cuts(ray, a, b);
     dvec3 sum(0), depth(0);
     for (std::size_t i = 0; i + 1 < at.size(); ++i) {
@@ -111,9 +132,8 @@ inline dvec3 single_scattering(Air const& air, Ray const& ray, double a, double 
         sum += gauss(
             [&](double t) {
                 double const h = ray.altitude(t);
-                dvec3 const source = dvec3(air.given.rayleigh_scattering) * (air.rayleigh(h) * rayleigh) +
-                                     dvec3(air.given.aerosol_scattering) * (air.aerosol(h) * aerosol);
-                return source * sun_transmittance(air, h, ray.mu_s(t)) * glm::exp(-depth - gauss(extinction, at[i], t));
+                dvec3 const sun = sun_transmittance(air, h, ray.mu_s(t));
+                return air.scattered(h, ray.nu) * sun * glm::exp(-depth - gauss(extinction, at[i], t));
             },
             at[i], at[i + 1]);
         depth += gauss(extinction, at[i], at[i + 1]);

@@ -48,7 +48,6 @@ inline dvec3 sunlit_air(Air const& air, Occluders const* occluders, LightPath co
         sun.push_back(sun_transmittance(air, glm::length(p) - air.radius(), glm::dot(glm::normalize(p), path.to_sun)));
     }
     double const nu = glm::dot(path.direction, path.to_sun), step = path.length / n;
-    double const rayleigh = rayleigh_phase(nu), aerosol = cornette_shanks_phase(nu, air.given.aerosol_g);
     dvec3 sum(0), depth(0);
     for (int i = 0; i < n; ++i) {
         dvec3 const p = at((i + 0.5) * step);
@@ -57,9 +56,7 @@ inline dvec3 sunlit_air(Air const& air, Occluders const* occluders, LightPath co
         depth += 0.5 * step * extinction;
         if (!occluders || !occluders->hide(p, path.to_sun)) {
             auto const node = static_cast<std::size_t>(place);
-            dvec3 const source = dvec3(air.given.rayleigh_scattering) * (air.rayleigh(h) * rayleigh) +
-                                 dvec3(air.given.aerosol_scattering) * (air.aerosol(h) * aerosol);
-            sum += step * source * glm::mix(sun[node], sun[node + 1], place - static_cast<double>(node)) * glm::exp(-depth);
+            sum += step * air.scattered(h, nu) * glm::mix(sun[node], sun[node + 1], place - static_cast<double>(node)) * glm::exp(-depth);
         }
         depth += 0.5 * step * extinction;
     }

@@ -6,6 +6,8 @@
 #include <glm/glm.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <vector>
 
 /// Light scattered once, by quadrature in double precision. Written apart: nothing of `shaders/` or `engine/reference`.
@@ -33,9 +35,10 @@ public:
         : planet_(planet), air_(planet.air), rule_(nodes) {
         double const top = air_.top_altitude;
         for (double h = 0; h < top; h += std::max(1000.0, 0.3 * h)) shells_.push_back(h);
-        for (double const kink : {-1.0, 0.0, 1.0}) {
-            double const h = air_.ozone_centre + kink * air_.ozone_half_width;
-            if (h > 0 && h < top) shells_.push_back(h);
+        for (AirComponent const& component : air_.components) {
+            if (auto const* const linear = std::get_if<LinearProfile>(&component.profile))
+                for (LinearProfile::Node const& node : linear->nodes)
+                    if (node.altitude > 0 && node.altitude < top) shells_.push_back(node.altitude);
         }
         shells_.push_back(top);
     }
@@ -44,8 +47,6 @@ public:
         auto const [start, end, ground] = segment(sight.origin, sight.direction);
         SingleScattering light;
         double const nu = glm::dot(sight.direction, sight.to_sun);
-        dvec3 const rayleigh = air_.rayleigh.scattering * rayleigh_phase(nu);
-        dvec3 const aerosol = air_.aerosol.scattering * cornette_shanks_phase(nu, air_.aerosol_g);
         std::vector<double> const at = view_cuts(sight, start, end);
         dvec3 depth(0);
         for (std::size_t i = 0; i + 1 < at.size(); ++i) {
@@ -53,9 +54,7 @@ public:
                 dvec3 const p = sight.origin + t * sight.direction;
                 double const h = altitude(p);
                 dvec3 const before = depth + piece(sight.origin, sight.direction, at[i], t);
-                return (rayleigh * std::exp(-h / air_.rayleigh.scale_height) +
-                        aerosol * std::exp(-h / air_.aerosol.scale_height)) *
-                       glm::exp(-before - depth_to(p, sight.to_sun));
+                return scattered(h, nu) * glm::exp(-before - depth_to(p, sight.to_sun));
             };
             double const middle = 0.5 * (at[i] + at[i + 1]);
             if (lit(sight.origin + middle * sight.direction, sight.to_sun))
@@ -82,9 +81,10 @@ public:
     }
 
     dvec3 extinction(double h) const {
-        return air_.rayleigh.extinction * std::exp(-h / air_.rayleigh.scale_height) +
-               air_.aerosol.extinction * std::exp(-h / air_.aerosol.scale_height) +
-               air_.ozone_absorption * std::max(0.0, 1 - std::abs(h - air_.ozone_centre) / air_.ozone_half_width);
+        dvec3 sum(0);
+        for (AirComponent const& component : air_.components)
+            sum += component.extinction() * density(component.profile, h);
+        return sum;
     }
 
     /// Part of a line that is in the air; end < start where there is none.
@@ -103,10 +103,32 @@ public:
     }
 
 private:
-    static double rayleigh_phase(double nu) { return 3 / (16 * std::numbers::pi) * (1 + nu * nu); }
-    static double cornette_shanks_phase(double nu, double g) {
-        return 3 / (8 * std::numbers::pi) * (1 - g * g) * (1 + nu * nu) /
-               ((2 + g * g) * std::pow(1 + g * g - 2 * g * nu, 1.5));
+    static double density(Profile const& profile, double h) {
+        if (auto const* const exponential = std::get_if<ExponentialProfile>(&profile))
+            return std::exp(-h / exponential->scale_height);
+        auto const& nodes = std::get<LinearProfile>(profile).nodes;
+        for (std::size_t i = 1; i < nodes.size(); ++i)
+            if (h >= nodes[i - 1].altitude && h < nodes[i].altitude)
+                return std::lerp(nodes[i - 1].density, nodes[i].density,
+                                 (h - nodes[i - 1].altitude) / (nodes[i].altitude - nodes[i - 1].altitude));
+        return 0;
+    }
+
+    static double lobe(PhaseLobe const& lobe, double nu) {
+        double const g = lobe.g;
+        return (1 - g * g) / (4 * std::numbers::pi * std::pow(1 + g * g - 2 * g * nu, 1.5)) *
+               (1 + lobe.alpha * nu * nu) / (1 + lobe.alpha * (1 + 2 * g * g) / 3);
+    }
+
+    /// Scattering times phase [1/(m sr)].
+    dvec3 scattered(double h, double nu) const {
+        dvec3 sum(0);
+        for (AirComponent const& component : air_.components) {
+            PhaseLobes const lobes = lobes_of(component.phase);
+            double const phase = std::lerp(lobe(lobes.first, nu), lobe(lobes.second, nu), lobes.second_share);
+            sum += component.scattering * (density(component.profile, h) * phase);
+        }
+        return sum;
     }
 
     double altitude(dvec3 const& p) const { return glm::length(p) - planet_.radius; }

@@ -35,12 +35,31 @@ std::vector<double> table_errors(Atmosphere const& atmosphere, test::Table const
 
 // 300 Dobson units; Dereyne's profile holds 454.
 TEST(Transmittance, the_ozone_column_is_300_dobson_units) {
-    Atmosphere ozone = test::no_air();
-    ozone.ozone_absorption = AIR.ozone_absorption;
-    vec3 const depth = compute_optical_depth_to_top(ozone, 0, 1);
+    Planet planet = make_earth();
+    planet.air.components = {planet.air.at("ozone")};
+    vec3 const depth = compute_optical_depth_to_top(atmosphere_of(planet), 0, 1);
     EXPECT_NEAR(depth.x, 0.00975, 2e-5);
     EXPECT_NEAR(depth.y, 0.02822, 2e-5);
     EXPECT_NEAR(depth.z, 0.00128, 1e-5);
+}
+
+// Up, along and down through them, each alone.
+TEST(Transmittance, every_profile_has_the_depth_of_quadrature) {
+    Planet const motley = test::motley_planet();
+    for (alpenglow::AirComponent const& component : motley.air.components) {
+        Planet alone = motley;
+        alone.air.components = {component};
+        Atmosphere const air = atmosphere_of(alone);
+        reference::Air const exact(air);
+        for (float const h : {0.0f, 400.0f, 1501.0f, 12000.0f, 19000.0f, 21500.0f, 50000.0f})
+            for (float const mu : {-0.06f, -0.01f, 0.0f, 0.002f, 0.05f, 0.3f, 1.0f}) {
+                if (mu < horizon_mu(air.ground_radius, h)) continue;
+                double const depth = reference::optical_depth_to_top(exact, h, mu).y;
+                // 0.3 m of a path are what float leaves of its ends.
+                EXPECT_NEAR(compute_optical_depth_to_top(air, h, mu).y, depth, 1e-3 * depth + 0.3 * component.extinction().y)
+                    << component.name << " " << h << " " << mu;
+            }
+    }
 }
 
 TEST(Transmittance, the_mapping_goes_there_and_back) {

@@ -136,7 +136,7 @@ TEST(LightMoments, scattered_light_meets_the_integral_over_the_phase) {
     dvec3 const out(std::sqrt(1 - nu * nu) * std::cos(azimuth), std::sqrt(1 - nu * nu) * std::sin(azimuth), nu);
     double const exact = mean_over_sphere([&](double x, double turn) {
         dvec3 const in(std::sqrt(1 - x * x) * std::cos(turn), std::sqrt(1 - x * x) * std::sin(turn), x);
-        return 4 * std::numbers::pi * double(rayleigh_phase(float(dot(in, out)))) * some_radiance(x, turn);
+        return 4 * std::numbers::pi * double(draine_phase(float(dot(in, out)), 0, 1)) * some_radiance(x, turn);
     });
     test::Table const node = table_of({some_moments(1), some_moments(1), some_moments(1)});
     LightMoments const light = sample_light_moments(node.sampler(), test::earth_air(), 0, 0.4f);

@@ -38,18 +38,17 @@ private:
         double extinction, rayleigh, aerosol;
     };
     Here here(double h) const {
-        Air const& air = planet_.air;
-        double const r = std::exp(-h / air.rayleigh.scale_height), a = std::exp(-h / air.aerosol.scale_height);
-        double const ozone = std::max(0.0, 1 - std::abs(h - air.ozone_centre) / air.ozone_half_width);
-        return {r * air.rayleigh.extinction[channel_] + a * air.aerosol.extinction[channel_] +
-                    ozone * air.ozone_absorption[channel_],
-                r * air.rayleigh.scattering[channel_], a * air.aerosol.scattering[channel_]};
+        AirComponent const &rayleigh = planet_.air.at("rayleigh"), &aerosol = planet_.air.at("aerosol");
+        double const r = std::exp(-h / 8000), a = std::exp(-h / 1200), ozone = std::max(0.0, 1 - std::abs(h - 25000) / 15000);
+        return {r * rayleigh.extinction()[channel_] + a * aerosol.extinction()[channel_] +
+                    ozone * planet_.air.at("ozone").absorption[channel_],
+                r * rayleigh.scattering[channel_], a * aerosol.scattering[channel_]};
     }
 
     /// Of the air above altitude h: air and aerosol thin out, and the ozone's peak is the most of it.
     double bound_above(double h) const {
         Here const least = here(h);
-        return least.extinction + planet_.air.ozone_absorption[channel_];
+        return least.extinction + planet_.air.at("ozone").absorption[channel_];
     }
 
     dvec3 direction_around(dvec3 const& axis, double cosine) {
@@ -69,7 +68,7 @@ private:
         return cosine_of([](double c) { return 1 + c * c; }, 2);
     }
     double aerosol_cosine() {
-        double const g = planet_.air.aerosol_g;
+        double const g = planet_.air.at("aerosol").phase.g;
         auto const phase = [g](double c) { return (1 + c * c) / std::pow(1 + g * g - 2 * g * c, 1.5); };
         return cosine_of(phase, std::max(phase(1), phase(-1)));
     }
@@ -123,7 +122,7 @@ Planet planet_with(double rayleigh_factor) {
     Planet planet = make_earth();
     planet.look = GroundLook::uniform;
     planet.ground_albedo = {0.2, 0.3, 0.4};
-    planet.air.rayleigh.scattering *= rayleigh_factor, planet.air.rayleigh.extinction *= rayleigh_factor;
+    planet.air.at("rayleigh").scattering *= rayleigh_factor;
     return planet;
 }
 

@@ -1,3 +1,4 @@
+#include "support/components.h"
 #include "support/traced_world.h"
 
 #include <fmt/format.h>
@@ -13,14 +14,15 @@ Planet white_earth() {
     Planet planet = make_earth();
     planet.look = GroundLook::uniform;
     planet.ground_albedo = glm::dvec3(1);
-    planet.air.aerosol.scattering = planet.air.aerosol.extinction;
-    planet.air.ozone_absorption = glm::dvec3(0);
+    AirComponent& aerosol = planet.air.at("aerosol");
+    aerosol.scattering = aerosol.extinction();
+    aerosol.absorption = planet.air.at("ozone").absorption = glm::dvec3(0);
     return planet;
 }
 
 Planet dense_white_earth() {
     Planet planet = white_earth();
-    planet.air.rayleigh = {{4e-5, 1e-4, 2e-4}, {4e-5, 1e-4, 2e-4}, 12000};
+    planet.air.at("rayleigh") = rayleigh_component({4e-5, 1e-4, 2e-4}, 12000);
     return planet;
 }
 
@@ -58,7 +60,8 @@ TEST(ReferenceFurnace, dense_air_over_white_ground) { expect_one(dense_white_ear
 
 TEST(ReferenceFurnace, a_percent_of_absorption_is_seen) {
     Planet grey = white_earth();
-    grey.air.rayleigh.extinction *= 1.01;
+    AirComponent& rayleigh = grey.air.at("rayleigh");
+    rayleigh.absorption = 0.01 * rayleigh.scattering;
     ChiSquare together;
     for (Measured const& m : radiances(grey, 64)) together.add(m.mean.z - 1, m.deviation.z * m.deviation.z + 1e-12);
     EXPECT_LT(together.tail(), 1e-6);

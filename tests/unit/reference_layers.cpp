@@ -27,7 +27,7 @@ Planet bare(double albedo) {
 /// A shell of constant density.
 Medium layer(double depth, double albedo, Phase const& phase) {
     LinearProfile const even{{{0, 1}, {THICKNESS, 1}}};
-    return {RADIUS, THICKNESS, {{glm::dvec3(albedo * depth / THICKNESS), glm::dvec3(depth / THICKNESS), even, phase}}};
+    return {RADIUS, THICKNESS, {{glm::dvec3(albedo * depth / THICKNESS), glm::dvec3(depth / THICKNESS), even, lobes_of(phase)}}};
 }
 
 glm::dvec3 slanted(double mu, double azimuth = 0) {
@@ -115,7 +115,7 @@ TEST(ReferenceLayers, camera_and_sun_change_places) {
     Medium mixture = layer(1.5, 0.95, {.kind = Phase::Kind::rayleigh});
     LinearProfile const low{{{0, 2}, {4, 2}}};
     mixture.components.push_back(
-        {glm::dvec3(0.3, 0.2, 0.1), glm::dvec3(0.3, 0.25, 0.1), low, {.kind = Phase::Kind::cornette_shanks, .g = 0.7}});
+        {glm::dvec3(0.3, 0.2, 0.1), glm::dvec3(0.3, 0.25, 0.1), low, lobes_of({.kind = Phase::Kind::cornette_shanks, .g = 0.7})});
     Planet const grey = bare(0.4);
     std::uint64_t seed = 300;
     for (auto const& [a, b, azimuth] : {std::tuple{0.2, 0.9, 0.3}, {0.35, 0.6, 2.0}, {0.5, 1.0, 0.0}}) {

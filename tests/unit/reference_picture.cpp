@@ -21,7 +21,7 @@ Camera camera(Planet const& planet) {
 Planet earth(double rayleigh = 1) {
     Planet planet = make_earth();
     planet.look = GroundLook::uniform;
-    planet.air.rayleigh.scattering *= rayleigh, planet.air.rayleigh.extinction *= rayleigh;
+    planet.air.at("rayleigh").scattering *= rayleigh;
     return planet;
 }
 

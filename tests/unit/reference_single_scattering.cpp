@@ -1,3 +1,4 @@
+#include "support/components.h"
 #include "support/single_scattering.h"
 #include "support/traced_world.h"
 
@@ -101,10 +102,20 @@ TEST(ReferenceSingleScattering, of_a_disc_is_the_mean_over_its_points) {
     }
 }
 
+TEST(ReferenceSingleScattering, of_every_profile_and_phase) {
+    Planet const motley = motley_planet();
+    for (double const h : {0.0, 2e4}) {
+        Comparison const all = compare(motley, motley, h, 20, {-15, 1, 8, 45, 89});
+        for (std::string const& text : all.wrong) ADD_FAILURE() << text;
+        EXPECT_GT(all.together.tail(), 1e-4) << h;
+        EXPECT_LT(all.noisy, all.rays / 2) << h;
+    }
+}
+
 TEST(ReferenceSingleScattering, three_percent_more_rayleigh_is_found) {
     Planet const earth = make_earth();
     Planet thicker = earth;
-    thicker.air.rayleigh.scattering *= 1.03, thicker.air.rayleigh.extinction *= 1.03;
+    thicker.air.at("rayleigh").scattering *= 1.03;
     Comparison const all = compare(earth, thicker, 0, 60, {8, 45, 89});
     EXPECT_GT(all.wrong.size(), 9u); // of 27
     EXPECT_LT(all.together.tail(), 1e-6);

@@ -1,4 +1,5 @@
 #include "reference/tracking.h"
+#include "support/components.h"
 #include "support/single_scattering.h"
 #include "support/traced_world.h"
 
@@ -49,25 +50,27 @@ double deviation(Flights const& f) { return std::sqrt(f.expected * (1 - f.expect
 } // namespace
 
 TEST(ReferenceTracking, flights_have_the_transmittance_of_quadrature) {
-    Planet const earth = make_earth();
-    auto const check = [&](double h, double elevation) {
+    Planet const earth = make_earth(), motley = motley_planet();
+    auto const check = [&](Planet const& planet, double h, double elevation) {
         for (int channel = 0; channel < 3; ++channel) {
-            Flights const f = fly(earth, earth, {0, 0, earth.radius + h}, up(elevation), channel);
+            Flights const f = fly(planet, planet, {0, 0, planet.radius + h}, up(elevation), channel);
             EXPECT_NEAR(f.through, f.expected, 4.5 * deviation(f)) << h << " m, " << elevation;
             EXPECT_GT(f.even.tail(), 1e-4) << h << " m, " << elevation;
         }
     };
-    check(0, 90);
-    check(0, 1);
-    check(1e4, -2);    // down to 6 km and up again
-    check(1e4, -40);   // to the ground
-    check(4e5, -19.6); // in from space, through the ozone, 13 km over the ground
+    check(earth, 0, 90);
+    check(earth, 0, 1);
+    check(earth, 1e4, -2);    // down to 6 km and up again
+    check(earth, 1e4, -40);   // to the ground
+    check(motley, 0, 1);
+    check(motley, 2e4, -3); // along the shell and down through the mist
+    check(earth, 4e5, -19.6); // in from space, through the ozone, 13 km over the ground
 }
 
 TEST(ReferenceTracking, three_percent_more_rayleigh_is_found) {
     Planet const earth = make_earth();
     Planet thicker = earth;
-    thicker.air.rayleigh.scattering *= 1.03, thicker.air.rayleigh.extinction *= 1.03;
+    thicker.air.at("rayleigh").scattering *= 1.03;
     Flights const f = fly(thicker, earth, {0, 0, earth.radius}, up(20), 2);
     EXPECT_GT(std::abs(f.through - f.expected), 4.5 * deviation(f));
 }

@@ -1,3 +1,4 @@
+#include "support/components.h"
 #include "support/single_scattering.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +32,9 @@ Planet flat_layer(double thickness, double depth, double albedo) {
     Planet planet;
     planet.radius = 1e9;
     planet.air.top_altitude = thickness;
-    planet.air.rayleigh = {dvec3(depth * albedo / thickness), dvec3(depth / thickness), 1e15};
+    AirComponent even = rayleigh_component(dvec3(depth * albedo / thickness), 1e15);
+    even.absorption = dvec3(depth * (1 - albedo) / thickness);
+    planet.air.components = {even};
     planet.ground_albedo = dvec3(0);
     return planet;
 }
@@ -54,10 +57,11 @@ TEST(SingleScatteringQuadrature, does_not_change_with_twice_the_nodes) {
 TEST(SingleScatteringQuadrature, depth_of_the_zenith_is_the_closed_form) {
     Planet const earth = make_earth();
     Air const& air = earth.air;
-    auto const column = [&](ExponentialMedium const& m) {
-        return m.extinction * m.scale_height * -std::expm1(-air.top_altitude / m.scale_height);
+    auto const column = [&](AirComponent const& component, double scale_height) {
+        return component.extinction() * scale_height * -std::expm1(-air.top_altitude / scale_height);
     };
-    dvec3 const exact = column(air.rayleigh) + column(air.aerosol) + air.ozone_absorption * air.ozone_half_width;
+    dvec3 const exact =
+        column(air.at("rayleigh"), 8000) + column(air.at("aerosol"), 1200) + air.at("ozone").absorption * 15000.0;
     dvec3 const depth = SingleScatteringQuadrature(earth).depth_to({0, 0, earth.radius}, {0, 0, 1});
     // A point's altitude is a difference of two numbers of 6e6 m: 1e-9 m of a scale height of 1 km.
     EXPECT_LT(largest(glm::abs(depth / exact - 1.0)), 1e-11);
@@ -98,9 +102,9 @@ TEST(SingleScatteringQuadrature, shadowed_rays_meet_a_plain_sum) {
             dvec3 const p = s.origin + (start + (i + 0.5) * step) * s.direction;
             double const h = glm::length(p) - earth.radius, slice = step * quadrature.extinction(h).z;
             bool const shadow = glm::dot(p, s.to_sun) < 0 && glm::length(glm::cross(p, s.to_sun)) < earth.radius;
-            double const g = earth.air.aerosol_g;
-            double const rayleigh = earth.air.rayleigh.scattering.z * std::exp(-h / 8000) * 3 / 16 * (1 + nu * nu);
-            double const aerosol = earth.air.aerosol.scattering.z * std::exp(-h / 1200) * 3 / 8 * (1 - g * g) *
+            double const g = 0.8;
+            double const rayleigh = earth.air.at("rayleigh").scattering.z * std::exp(-h / 8000) * 3 / 16 * (1 + nu * nu);
+            double const aerosol = earth.air.at("aerosol").scattering.z * std::exp(-h / 1200) * 3 / 8 * (1 - g * g) *
                                    (1 + nu * nu) / (2 + g * g) / std::pow(1 + g * g - 2 * g * nu, 1.5);
             if (!shadow)
                 sum += step * (rayleigh + aerosol) / std::numbers::pi *

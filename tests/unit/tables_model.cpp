@@ -70,14 +70,14 @@ TEST(TablesModel, sky_view_is_dense_at_the_horizon) {
 
 TEST(TablesModel, squared_cells_tile_the_ray) {
     // Nothing of a ray is left out: a thin medium's light is its length times its source.
-    Atmosphere even = AIR;
-    even.rayleigh_scale_height = even.aerosol_scale_height = 1e12f;
-    even.rayleigh_scattering = vec3(1e-12f), even.aerosol_scattering = even.aerosol_extinction = even.ozone_absorption = vec3(0);
+    Planet planet = make_earth();
+    planet.air.components = {test::rayleigh_component(glm::dvec3(1e-12), 1e12)};
+    Atmosphere const even = atmosphere_of(planet);
     std::array<vec4, 4> const nothing{};
     sampler2D const none{2, 2, nothing.data()};
     AirRay const up = make_air_ray(even.ground_radius, 0, 1, 1, 1);
     AirLight const light = march_squared(even, none, none, up, 1e5f, 30);
-    EXPECT_NEAR(light.inscattered.x / (1e-12f * rayleigh_phase(1) * 1e5f), 1, 1e-5);
+    EXPECT_NEAR(light.inscattered.x / (1e-12f * draine_phase(1, 0, 1) * 1e5f), 1, 1e-5);
 }
 
 TEST(TablesModel, further_orders_are_a_share_of_the_first) {

@@ -22,11 +22,9 @@ INLINE vec3 even_direction(int i, int n) {
     return vec3(side * cos(azimuth), side * sin(azimuth), z);
 }
 
-INLINE vec3 scattering_of(Medium medium) { return medium.rayleigh_scattering + medium.aerosol_scattering; }
-
 // Radiance per metre [1/(sr m)] that the medium adds to a ray: sunlight `sun` by the phases, further orders evenly.
 INLINE vec3 isotropic_source(Medium medium, RayPhases phases, vec3 sun, vec3 psi) {
-    return inscattering_source(medium, phases, sun, no_diffuse_light()) + scattering_of(medium) * psi;
+    return inscattering_source(medium, phases, sun, no_diffuse_light()) + total_scattering(medium) * psi;
 }
 
 // One direction's share of the sums.
@@ -47,7 +45,7 @@ INLINE IsotropicTransfer gather_isotropic(Atmosphere atmosphere, sampler2D trans
         AirPoint point = air_point_at(ray, cell.middle);
         Medium medium = medium_at(atmosphere, point.altitude);
         float cell_length = cell.end - cell.begin;
-        vec3 seen = transmittance * integrate_segment(scattering_of(medium), medium.extinction, cell_length);
+        vec3 seen = transmittance * integrate_segment(total_scattering(medium), medium.extinction, cell_length);
         vec3 sun = sample_sun_transmittance(transmittance_table, atmosphere, point.altitude, point.mu_s);
         sum.first += seen * sun * ISOTROPIC_PHASE;
         sum.around += seen;
