@@ -6,7 +6,7 @@
 namespace alpenglow {
 
 /// The share f of a phase's light that is taken to go straight on when light is scattered more than once: the Legendre
-/// coefficient of degree 10, a tenth for the aerosol where g = 0.8 (docs/atmosphere.md). 0 for Rayleigh and isotropic
+/// coefficient of degree 10, an eighth for Earth's aerosol (docs/atmosphere.md). 0 for Rayleigh and isotropic
 /// phases, and for those that look back rather than on, whose odd degrees are negative.
 double straight_on_share(PhaseLobes const& lobes);
 

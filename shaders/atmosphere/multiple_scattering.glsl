@@ -112,7 +112,8 @@ INLINE vec3 first_order_light(Atmosphere atmosphere, sampler2D transmittance_tab
         float cell_length = cell.end - cell.begin;
         AirPoint point = air_point_at(ray, cell.middle + air.centre * cell_length);
         vec3 sun = sample_sun_transmittance(transmittance_table, atmosphere, point.altitude, point.mu_s);
-        add_cell(light, directed_scattering(air.mean, phases) * sun, diffuse_extinction(atmosphere, air.mean), cell_length);
+        vec3 source = directed_scattering(air.mean, phases) * sun;
+        add_cell(light, source, diffuse_extinction(atmosphere, air.mean), cell_length);
     }
     AirPoint last = air_point_at(ray, segment.end);
     vec3 sun = sample_sun_transmittance(transmittance_table, atmosphere, 0.0f, last.mu_s) * max(last.mu_s, 0.0f);
