@@ -100,7 +100,7 @@ INLINE float squared_along_at(AirRay ray, float h) {
 
 // The same ray from where it enters the air, `distance` [m] ahead; unchanged, with 0, for an origin inside. For a ray
 // that misses the air `distance` means nothing, and its `air_segment` is empty.
-INLINE AirRay enter_air(Atmosphere atmosphere, AirRay ray, OUT(float) distance) {
+INLINE AirRay enter_air(IN(Atmosphere) atmosphere, AirRay ray, OUT(float) distance) {
     bool outside = ray.altitude > atmosphere.top_altitude;
     float power = power_above_origin(ray, atmosphere.top_altitude);
     float root = sqrt(max(squared_along_at(ray, atmosphere.top_altitude), 0.0f));
@@ -115,7 +115,7 @@ INLINE AirRay enter_air(Atmosphere atmosphere, AirRay ray, OUT(float) distance) 
 
 // What lies at distance t [m] of a ray from anywhere: from outside the air told from where the ray enters it, since from
 // 20 000 km altitudes would be 17 m off.
-INLINE AirPoint place_at(Atmosphere atmosphere, AirRay ray, float t) {
+INLINE AirPoint place_at(IN(Atmosphere) atmosphere, AirRay ray, float t) {
     float entry = 0.0f;
     AirRay inside = enter_air(atmosphere, ray, entry);
     bool enters = entry > 0.0f && closest_altitude(ray) < atmosphere.top_altitude;
@@ -125,7 +125,7 @@ INLINE AirPoint place_at(Atmosphere atmosphere, AirRay ray, float t) {
 }
 
 // The part of the ray inside the air and above the ground, for an origin inside the air.
-INLINE AirSegment air_segment(Atmosphere atmosphere, AirRay ray) {
+INLINE AirSegment air_segment(IN(Atmosphere) atmosphere, AirRay ray) {
     bool hits = ray_hits_ground(ray);
     float out_of_air = distance_out_of(ray, atmosphere.top_altitude);
     return AirSegment(0.0f, max(hits ? distance_into(ray, 0.0f) : out_of_air, 0.0f), hits);

@@ -18,7 +18,7 @@ INLINE vec3 inscattering_source(IN(Medium) medium, IN(RayPhases) phases, vec3 su
 
 // All orders between two distances [m] of a ray inside the air, in n cells: inscattered radiance [1/sr] and the
 // transmittance of scattered light, without shadows but the planet's own.
-INLINE AirLight compute_air_light(Atmosphere atmosphere, sampler2D transmittance_table,
+INLINE AirLight compute_air_light(IN(Atmosphere) atmosphere, sampler2D transmittance_table,
                                   sampler2D multiple_scattering_table, AirRay ray, float begin, float end, int n) {
     MarchCells cells = make_march_cells(atmosphere, ray, begin, end);
     RayPhases phases = phases_of(atmosphere, ray.nu);

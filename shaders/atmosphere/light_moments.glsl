@@ -84,7 +84,7 @@ INLINE vec3 irradiance_gain(LightByDegree light) {
 }
 
 // Row of the first tile: the table's upper and lower half rows belong to the edge, so that tiles do not mix.
-INLINE vec2 light_moments_uv(Atmosphere atmosphere, float h, float mu_s) {
+INLINE vec2 light_moments_uv(IN(Atmosphere) atmosphere, float h, float mu_s) {
     vec2 uv = sun_table_uv(atmosphere, h, mu_s, MULTIPLE_SCATTERING_WIDTH, MULTIPLE_SCATTERING_HEIGHT);
     return vec2(uv.x, uv.y / float(LIGHT_TILES));
 }
@@ -93,7 +93,7 @@ INLINE vec4 sample_light_tile(sampler2D table, vec2 uv, int tile) {
     return sample_bilinear(table, uv + vec2(0.0f, float(tile) / float(LIGHT_TILES)));
 }
 
-INLINE LightMoments sample_light_moments(sampler2D table, Atmosphere atmosphere, float h, float mu_s) {
+INLINE LightMoments sample_light_moments(sampler2D table, IN(Atmosphere) atmosphere, float h, float mu_s) {
     vec2 uv = light_moments_uv(atmosphere, h, mu_s);
     vec4 r = sample_light_tile(table, uv, 0), r_high = sample_light_tile(table, uv, 1);
     vec4 g = sample_light_tile(table, uv, 2), g_high = sample_light_tile(table, uv, 3);
@@ -105,7 +105,7 @@ INLINE LightMoments sample_light_moments(sampler2D table, Atmosphere atmosphere,
 
 // Irradiance [per unit of solar irradiance] from sky and ground on a surface at altitude h [m], whose normal has the
 // cosines mu with the zenith and nu with the direction to the sun.
-INLINE vec3 sample_diffuse_irradiance(sampler2D table, Atmosphere atmosphere, float h, float mu_s, float mu,
+INLINE vec3 sample_diffuse_irradiance(sampler2D table, IN(Atmosphere) atmosphere, float h, float mu_s, float mu,
                                       float nu) {
     LightMoments light = sample_light_moments(table, atmosphere, h, mu_s);
     return power32(light.root) * irradiance_gain(light_by_degree(light, sunward_direction(mu, mu_s, nu)));

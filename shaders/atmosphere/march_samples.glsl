@@ -55,7 +55,7 @@ INLINE float travel_from_measure(MarchCells cells, float d) {
 }
 
 // The cells between distances `begin` <= `end` [m] of a ray, both inside the air.
-INLINE MarchCells make_march_cells(Atmosphere atmosphere, AirRay ray, float begin, float end) {
+INLINE MarchCells make_march_cells(IN(Atmosphere) atmosphere, AirRay ray, float begin, float end) {
     MarchCells cells;
     cells.begin = begin;
     cells.end = end;

@@ -32,7 +32,7 @@ struct GatherDirection {
 
 // Direction i. Zeniths are nodes of Gauss and Legendre in the cube root of the distance to the horizon, where the light
 // changes fastest: from 30 km it has a limb of a degree.
-INLINE GatherDirection gather_direction(Atmosphere atmosphere, GatherRays rays, float h, float mu_s, int i) {
+INLINE GatherDirection gather_direction(IN(Atmosphere) atmosphere, GatherRays rays, float h, float mu_s, int i) {
     int zenith = i / rays.azimuths;
     bool above = zenith < 4 * rays.above;
     int panels = above ? rays.above : rays.below;
@@ -92,11 +92,11 @@ INLINE vec3 diffuse_source(IN(Medium) medium, IN(DiffuseLight) light) {
 }
 
 // Radiance that the ground sends up [1/sr], under an irradiance.
-INLINE vec3 ground_radiance(Atmosphere atmosphere, vec3 irradiance) { return atmosphere.ground_albedo * irradiance / PI; }
+INLINE vec3 ground_radiance(IN(Atmosphere) atmosphere, vec3 irradiance) { return atmosphere.ground_albedo * irradiance / PI; }
 
 // Radiance of the first order that a ray inside the air brings to its origin [1/sr]: sunlight that the air or the ground
 // has scattered once.
-INLINE vec3 first_order_light(Atmosphere atmosphere, sampler2D transmittance_table, AirRay ray, int n) {
+INLINE vec3 first_order_light(IN(Atmosphere) atmosphere, sampler2D transmittance_table, AirRay ray, int n) {
     AirSegment segment = air_segment(atmosphere, ray);
     MarchCells cells = make_march_cells(atmosphere, ray, segment.begin, segment.end);
     RayPhases phases = phases_of(atmosphere, ray.nu);
@@ -122,7 +122,7 @@ INLINE vec3 first_order_light(Atmosphere atmosphere, sampler2D transmittance_tab
 }
 
 // Radiance that a ray inside the air brings to its origin [1/sr], of the light in the table scattered once more.
-INLINE vec3 scattered_light(Atmosphere atmosphere, sampler2D table, AirRay ray, int n) {
+INLINE vec3 scattered_light(IN(Atmosphere) atmosphere, sampler2D table, AirRay ray, int n) {
     AirSegment segment = air_segment(atmosphere, ray);
     MarchCells cells = make_march_cells(atmosphere, ray, segment.begin, segment.end);
     AirLight light = no_air_light();

@@ -11,7 +11,7 @@ SHADER_NAMESPACE_BEGIN
 CONSTANT float SUN_AXIS_SLOPE = 0.1f; // B
 
 // Altitude [m] is clamped to the air.
-INLINE vec2 sun_table_uv(Atmosphere atmosphere, float h, float mu_s, int width, int height) {
+INLINE vec2 sun_table_uv(IN(Atmosphere) atmosphere, float h, float mu_s, int width, int height) {
     float x = (sqrt(SUN_AXIS_SLOPE * SUN_AXIS_SLOPE + 4.0f * (1.0f - SUN_AXIS_SLOPE) * abs(mu_s)) - SUN_AXIS_SLOPE) /
               (2.0f * (1.0f - SUN_AXIS_SLOPE));
     float y = sqrt(clamp(h / atmosphere.top_altitude, 0.0f, 1.0f));
@@ -19,7 +19,7 @@ INLINE vec2 sun_table_uv(Atmosphere atmosphere, float h, float mu_s, int width, 
 }
 
 // x = altitude [m], y = mu_s.
-INLINE vec2 altitude_sun_from_uv(Atmosphere atmosphere, vec2 uv, int width, int height) {
+INLINE vec2 altitude_sun_from_uv(IN(Atmosphere) atmosphere, vec2 uv, int width, int height) {
     float x = 2.0f * clamp(unit_from_uv(uv.x, width), 0.0f, 1.0f) - 1.0f;
     float y = clamp(unit_from_uv(uv.y, height), 0.0f, 1.0f);
     return vec2(atmosphere.top_altitude * y * y, x * (SUN_AXIS_SLOPE + (1.0f - SUN_AXIS_SLOPE) * abs(x)));

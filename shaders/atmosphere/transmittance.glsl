@@ -11,7 +11,7 @@
 SHADER_NAMESPACE_BEGIN
 
 // Altitude [m] is clamped to the air, the direction to the horizon. `along` = r mu [m].
-INLINE vec2 transmittance_uv_from_altitude_along(Atmosphere atmosphere, float altitude, float along) {
+INLINE vec2 transmittance_uv_from_altitude_along(IN(Atmosphere) atmosphere, float altitude, float along) {
     float h = clamp(altitude, 0.0f, atmosphere.top_altitude);
     float radius = atmosphere.ground_radius;
     float rho = sqrt(power_from_altitude(radius, h));
@@ -24,13 +24,13 @@ INLINE vec2 transmittance_uv_from_altitude_along(Atmosphere atmosphere, float al
                 uv_from_unit(rho / rho_top, TRANSMITTANCE_HEIGHT));
 }
 
-INLINE vec2 transmittance_uv_from_altitude_mu(Atmosphere atmosphere, float altitude, float mu) {
+INLINE vec2 transmittance_uv_from_altitude_mu(IN(Atmosphere) atmosphere, float altitude, float mu) {
     float h = clamp(altitude, 0.0f, atmosphere.top_altitude);
     return transmittance_uv_from_altitude_along(atmosphere, h, (atmosphere.ground_radius + h) * mu);
 }
 
 // x = altitude [m], y = mu.
-INLINE vec2 transmittance_altitude_mu_from_uv(Atmosphere atmosphere, vec2 uv) {
+INLINE vec2 transmittance_altitude_mu_from_uv(IN(Atmosphere) atmosphere, vec2 uv) {
     float radius = atmosphere.ground_radius;
     float rho_top = sqrt(power_from_altitude(radius, atmosphere.top_altitude));
     float rho = rho_top * clamp(unit_from_uv(uv.y, TRANSMITTANCE_HEIGHT), 0.0f, 1.0f);
@@ -47,14 +47,14 @@ INLINE vec2 transmittance_altitude_mu_from_uv(Atmosphere atmosphere, vec2 uv) {
 INLINE vec4 optical_depth_texel(vec3 depth) { return vec4(root32(depth), 1.0f); }
 
 // From the table; mu below the horizon reads the horizon's value. Above the top of the air: that of the top.
-INLINE vec3 sample_optical_depth(sampler2D table, Atmosphere atmosphere, float h, float mu) {
+INLINE vec3 sample_optical_depth(sampler2D table, IN(Atmosphere) atmosphere, float h, float mu) {
     return power32(vec3(sample_bilinear(table, transmittance_uv_from_altitude_mu(atmosphere, h, mu))));
 }
 
 // The share of the sun's disc above the geometric horizon, exactly 0 to exactly 1, from altitude h [m]. Of a disc whose
 // centre stands x radii above a line the share is 1/2 + (x sqrt(1 - x²) + asin x) / pi; the polynomial in
 // y = (x + 1) / 2 is within 0.006 of it.
-INLINE float sun_above_horizon_along(Atmosphere atmosphere, float h, float sun_along) {
+INLINE float sun_above_horizon_along(IN(Atmosphere) atmosphere, float h, float sun_along) {
     float radius = atmosphere.ground_radius;
     float elevation = (sun_along + sqrt(power_from_altitude(radius, max(h, 0.0f)))) / radius; // [rad] above the horizon
     float y = clamp(0.5f + 0.5f * elevation / max(atmosphere.sun_angular_radius, 1e-6f), 0.0f, 1.0f);
@@ -62,18 +62,18 @@ INLINE float sun_above_horizon_along(Atmosphere atmosphere, float h, float sun_a
     return y * y * (3.0f - 2.0f * y) + (1.0f - 2.0f * y) * bell * bell * (3.489f - 6.70f * bell);
 }
 
-INLINE float sun_above_horizon(Atmosphere atmosphere, float h, float mu_s) {
+INLINE float sun_above_horizon(IN(Atmosphere) atmosphere, float h, float mu_s) {
     return sun_above_horizon_along(atmosphere, h, (atmosphere.ground_radius + max(h, 0.0f)) * mu_s);
 }
 
 // The share of the sun's light above the air that reaches a point at altitude h [m]: air, and the planet's own shadow.
 // `sun_along` = r mu_s [m].
-INLINE vec3 sample_sun_transmittance_along(sampler2D table, Atmosphere atmosphere, float h, float sun_along) {
+INLINE vec3 sample_sun_transmittance_along(sampler2D table, IN(Atmosphere) atmosphere, float h, float sun_along) {
     vec3 depth = power32(vec3(sample_bilinear(table, transmittance_uv_from_altitude_along(atmosphere, h, sun_along))));
     return exp(-depth) * sun_above_horizon_along(atmosphere, h, sun_along);
 }
 
-INLINE vec3 sample_sun_transmittance(sampler2D table, Atmosphere atmosphere, float h, float mu_s) {
+INLINE vec3 sample_sun_transmittance(sampler2D table, IN(Atmosphere) atmosphere, float h, float mu_s) {
     return sample_sun_transmittance_along(table, atmosphere, h, (atmosphere.ground_radius + max(h, 0.0f)) * mu_s);
 }
 
@@ -89,7 +89,7 @@ CONSTANT float SEGMENT_TRUST_DEPTH = 5.0f;
 // Transmittance between two points of one ray, both inside the air and nothing but air between them, from the table:
 // the depth from the lower point through the higher one to the top, less the depth from the higher one on. The ray is
 // followed the way it leads up, after Bruneton and Neyret 2008, section 4, so that it never looks below the horizon.
-INLINE SegmentTransmittance sample_segment_transmittance(sampler2D table, Atmosphere atmosphere, AirPoint from,
+INLINE SegmentTransmittance sample_segment_transmittance(sampler2D table, IN(Atmosphere) atmosphere, AirPoint from,
                                                          AirPoint to) {
     bool up = to.altitude >= from.altitude;
     vec3 whole = sample_optical_depth(table, atmosphere, up ? from.altitude : to.altitude, up ? from.mu : -to.mu);

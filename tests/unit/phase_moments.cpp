@@ -18,9 +18,9 @@ PhaseLobes const AEROSOL = lobes_of({.kind = Kind::cornette_shanks, .g = 0.8});
 } // namespace
 
 TEST(PhaseMoments, of_light_that_turns_are_the_phases_own) {
-    for (Phase const& phase : {Phase{.kind = Kind::isotropic}, Phase{.kind = Kind::rayleigh},
-                               Phase{.kind = Kind::henyey_greenstein, .g = -0.8},
-                               Phase{.kind = Kind::cornette_shanks, .g = -0.8}}) {
+    for (Phase const& phase :
+         {Phase{.kind = Kind::isotropic}, Phase{.kind = Kind::rayleigh},
+          Phase{.kind = Kind::henyey_greenstein, .g = -0.8}, Phase{.kind = Kind::cornette_shanks, .g = -0.8}}) {
         EXPECT_EQ(straight_on_share(lobes_of(phase)), 0) << int(phase.kind);
         EXPECT_EQ(phase_moments(lobes_of(phase)).degree[0], 1) << int(phase.kind);
     }
@@ -31,9 +31,8 @@ TEST(PhaseMoments, of_light_that_turns_are_the_phases_own) {
 TEST(PhaseMoments, of_the_aerosol_lack_its_tenth_degree) {
     test::GaussLegendre const rule(60); // exact to 1e-9 for a peak of g = 0.8
     auto const coefficient = [&](unsigned l) {
-        return rule.integrate(-1, 1, [&](double x) {
-            return 2 * std::numbers::pi * phase_value(AEROSOL, x) * std::legendre(l, x);
-        });
+        return rule.integrate(
+            -1, 1, [&](double x) { return 2 * std::numbers::pi * phase_value(AEROSOL, x) * std::legendre(l, x); });
     };
     EXPECT_NEAR(straight_on_share(AEROSOL), coefficient(10), 1e-6);
     for (unsigned l = 0; l < PHASE_DEGREES; ++l)

@@ -33,7 +33,7 @@ struct IsotropicTransfer {
     vec3 around; // what a unit of radiance all around sends: 0 to 1
 };
 
-INLINE IsotropicTransfer gather_isotropic(Atmosphere atmosphere, sampler2D transmittance_table, AirRay ray) {
+INLINE IsotropicTransfer gather_isotropic(IN(Atmosphere) atmosphere, sampler2D transmittance_table, AirRay ray) {
     AirSegment segment = air_segment(atmosphere, ray);
     MarchCells cells = make_march_cells(atmosphere, ray, segment.begin, segment.end);
     IsotropicTransfer sum = IsotropicTransfer(vec3(0.0f), vec3(0.0f));
@@ -58,7 +58,7 @@ INLINE IsotropicTransfer gather_isotropic(Atmosphere atmosphere, sampler2D trans
 }
 
 // Psi at altitude h [m] under a sun at mu_s, by integration.
-INLINE vec3 compute_isotropic(Atmosphere atmosphere, sampler2D transmittance_table, float h, float mu_s) {
+INLINE vec3 compute_isotropic(IN(Atmosphere) atmosphere, sampler2D transmittance_table, float h, float mu_s) {
     float sin_sun = sqrt(max(1.0f - mu_s * mu_s, 0.0f));
     vec3 second = vec3(0.0f);
     vec3 again = vec3(0.0f);
@@ -74,13 +74,13 @@ INLINE vec3 compute_isotropic(Atmosphere atmosphere, sampler2D transmittance_tab
     return second * share / max(vec3(1.0f) - again * share, vec3(1e-3f));
 }
 
-INLINE vec3 sample_isotropic(sampler2D table, Atmosphere atmosphere, float h, float mu_s) {
+INLINE vec3 sample_isotropic(sampler2D table, IN(Atmosphere) atmosphere, float h, float mu_s) {
     vec2 uv = sun_table_uv(atmosphere, h, mu_s, ISOTROPIC_SIZE, ISOTROPIC_SIZE);
     return power32(vec3(sample_bilinear(table, uv)));
 }
 
 // Adds the light of one cell, with source and extinction as at distance t [m].
-INLINE void add_isotropic_cell(INOUT(AirLight) light, Atmosphere atmosphere, sampler2D transmittance_table,
+INLINE void add_isotropic_cell(INOUT(AirLight) light, IN(Atmosphere) atmosphere, sampler2D transmittance_table,
                                sampler2D isotropic_table, RayPhases phases, AirRay ray, float t, float cell_length) {
     AirPoint point = air_point_at(ray, t);
     float h = max(point.altitude, 0.0f);

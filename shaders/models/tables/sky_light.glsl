@@ -10,7 +10,7 @@ CONSTANT int SKY_LIGHT_AZIMUTHS = 16; // of half a turn; dense towards the sun, 
 CONSTANT int SKY_LIGHT_CELLS = 24;
 
 // By integration over the upper hemisphere at altitude h [m], without the direct sun.
-INLINE vec3 compute_sky_light(Atmosphere atmosphere, sampler2D transmittance_table, sampler2D isotropic_table, float h,
+INLINE vec3 compute_sky_light(IN(Atmosphere) atmosphere, sampler2D transmittance_table, sampler2D isotropic_table, float h,
                               float mu_s) {
     float sin_sun = sqrt(max(1.0f - mu_s * mu_s, 0.0f));
     vec3 irradiance = vec3(0.0f);
@@ -36,7 +36,7 @@ INLINE vec3 compute_sky_light(Atmosphere atmosphere, sampler2D transmittance_tab
     return irradiance * (2.0f * PI * PI / (float(SKY_LIGHT_ZENITHS) * float(SKY_LIGHT_AZIMUTHS)));
 }
 
-INLINE vec3 sample_sky_light(sampler2D table, Atmosphere atmosphere, float h, float mu_s) {
+INLINE vec3 sample_sky_light(sampler2D table, IN(Atmosphere) atmosphere, float h, float mu_s) {
     return power32(vec3(sample_bilinear(table, sun_table_uv(atmosphere, h, mu_s, SKY_LIGHT_WIDTH, SKY_LIGHT_HEIGHT))));
 }
 

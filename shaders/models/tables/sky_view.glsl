@@ -16,11 +16,11 @@ struct SkyDirection {
 };
 
 // Angle between the nadir and the horizon [rad], from altitude h [m].
-INLINE float nadir_to_horizon(Atmosphere atmosphere, float h) {
+INLINE float nadir_to_horizon(IN(Atmosphere) atmosphere, float h) {
     return PI - acos(clamp(horizon_mu(atmosphere.ground_radius, max(h, 0.0f)), -1.0f, 1.0f));
 }
 
-INLINE vec2 sky_view_uv(Atmosphere atmosphere, float h, SkyDirection direction, bool hits_ground) {
+INLINE vec2 sky_view_uv(IN(Atmosphere) atmosphere, float h, SkyDirection direction, bool hits_ground) {
     float below = nadir_to_horizon(atmosphere, h);
     float zenith = acos(clamp(direction.mu, -1.0f, 1.0f));
     float up = 0.5f - 0.5f * sqrt(clamp(1.0f - zenith / (PI - below), 0.0f, 1.0f));
@@ -29,7 +29,7 @@ INLINE vec2 sky_view_uv(Atmosphere atmosphere, float h, SkyDirection direction, 
     return vec2(uv_from_unit(x, SKY_VIEW_WIDTH), uv_from_unit(hits_ground ? down : up, SKY_VIEW_HEIGHT));
 }
 
-INLINE SkyDirection sky_direction_from_uv(Atmosphere atmosphere, float h, vec2 uv) {
+INLINE SkyDirection sky_direction_from_uv(IN(Atmosphere) atmosphere, float h, vec2 uv) {
     float below = nadir_to_horizon(atmosphere, h);
     float y = 2.0f * unit_from_uv(uv.y, SKY_VIEW_HEIGHT) - 1.0f;
     float zenith = PI - below + (y < 0.0f ? -y * y * (PI - below) : y * y * below);
@@ -38,7 +38,7 @@ INLINE SkyDirection sky_direction_from_uv(Atmosphere atmosphere, float h, vec2 u
 }
 
 // Light between the origin of a ray inside the air and a distance `end` [m].
-INLINE AirLight march_squared(Atmosphere atmosphere, sampler2D transmittance_table, sampler2D isotropic_table, AirRay ray,
+INLINE AirLight march_squared(IN(Atmosphere) atmosphere, sampler2D transmittance_table, sampler2D isotropic_table, AirRay ray,
                               float end, int cells) {
     RayPhases phases = phases_of(atmosphere, ray.nu);
     AirLight light = no_air_light();
@@ -54,7 +54,7 @@ INLINE AirLight march_squared(Atmosphere atmosphere, sampler2D transmittance_tab
 }
 
 // Radiance from a direction, from altitude h [m] inside the air under a sun at mu_s.
-INLINE vec3 compute_sky_view(Atmosphere atmosphere, sampler2D transmittance_table, sampler2D isotropic_table, float h,
+INLINE vec3 compute_sky_view(IN(Atmosphere) atmosphere, sampler2D transmittance_table, sampler2D isotropic_table, float h,
                              float mu_s, SkyDirection direction) {
     float sines = sqrt(max((1.0f - direction.mu * direction.mu) * (1.0f - mu_s * mu_s), 0.0f));
     float nu = clamp(direction.mu * mu_s + sines * direction.cos_azimuth, -1.0f, 1.0f);
