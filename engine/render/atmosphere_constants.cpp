@@ -53,7 +53,7 @@ shader::Atmosphere atmosphere_of(Planet const& planet) {
     int next_ramp = 0;
     for (std::size_t i = 0; i < air.components.size(); ++i) {
         AirComponent const& from = air.components[i];
-        shader::AirComponent& to = a.components[i];
+        shader::AirComponent& to = a.content.components[i];
         if (from.on) to.scattering = glm::vec3(from.scattering), to.extinction = glm::vec3(from.extinction());
         set_phase(to, lobes_of(from.phase));
         int ramps = 0;
@@ -61,11 +61,11 @@ shader::Atmosphere atmosphere_of(Planet const& planet) {
             to.falloff = static_cast<float>(-1 / exponential->scale_height);
         } else {
             for (glm::vec3 const& ramp : ramps_of(std::get<LinearProfile>(from.profile)))
-                a.ramps[next_ramp + ramps++] = ramp;
+                a.content.ramps[next_ramp + ramps++] = ramp;
         }
         next_ramp += ramps;
         bool const scatters = from.scattering != glm::dvec3(0);
-        a.composition[static_cast<int>(i / 4)] |= shader::air_component_code(ramps, scatters) << (8 * (i % 4));
+        a.content.composition[static_cast<int>(i / 4)] |= shader::air_component_code(ramps, scatters) << (8 * (i % 4));
     }
     a.ground_albedo = glm::vec3(planet.ground_albedo);
     a.solar_irradiance = glm::vec3(planet.solar_irradiance);

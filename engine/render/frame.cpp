@@ -17,7 +17,7 @@ void build_frame(FrameGraph& graph, FrameInputs const& in) {
     ImageId const picture = graph.import(in.picture, "picture", ShowScale::encoded, false);
     ImageId const exposure = graph.import(in.exposure, "exposure", ShowScale::number, true);
     ConstantsId frame = graph.add_constants(in.constants.front());
-    glm::ivec2 const composition = in.constants.front().atmosphere.composition;
+    glm::ivec2 const composition = in.constants.front().atmosphere.content.composition;
     graph.specialize({composition.x, composition.y});
 
     AirTables const air = add_air_tables(graph, in, frame);

@@ -4,7 +4,12 @@
 #include "atmosphere/math.glsl"
 #include "interop/atmosphere.h"
 
-#ifndef __cplusplus
+// The air's components. GLSL passes structs by value; with these among them drivers take seconds to compile a pass.
+#ifdef __cplusplus
+#define AIR_CONTENT(atmosphere) (atmosphere).content
+#else
+#include "frame/frame_block.glsl"
+#define AIR_CONTENT(atmosphere) frame.air_content
 layout(constant_id = AIR_COMPOSITION_LOW_ID) const int AIR_COMPOSITION_LOW = 0;
 layout(constant_id = AIR_COMPOSITION_HIGH_ID) const int AIR_COMPOSITION_HIGH = 0;
 #endif
@@ -19,7 +24,7 @@ struct Medium {
 
 INLINE int component_code(IN(Atmosphere) atmosphere, int i) {
 #ifdef __cplusplus
-    ivec2 composition = atmosphere.composition;
+    ivec2 composition = atmosphere.content.composition;
 #else
     ivec2 composition = ivec2(AIR_COMPOSITION_LOW, AIR_COMPOSITION_HIGH);
 #endif
@@ -34,10 +39,12 @@ INLINE float ramp_share(vec3 ramp, float h) { return clamp((h - ramp.x) * ramp.y
 // Relative to where the component's coefficients hold. `next_ramp`: its first ramp; then the next component's.
 INLINE float component_density(IN(Atmosphere) atmosphere, int i, INOUT(int) next_ramp, float h) {
     int ramps = (component_code(atmosphere, i) & 127) - 1;
-    if (ramps == 0) return exp(h * atmosphere.components[i].falloff);
+    if (ramps == 0) return exp(h * AIR_CONTENT(atmosphere).components[i].falloff);
     float density = 0.0f;
-    for (int j = 0; j < ramps; ++j)
-        density += atmosphere.ramps[next_ramp + j].z * ramp_share(atmosphere.ramps[next_ramp + j], h);
+    for (int j = 0; j < ramps; ++j) {
+        vec3 ramp = AIR_CONTENT(atmosphere).ramps[next_ramp + j];
+        density += ramp.z * ramp_share(ramp, h);
+    }
     next_ramp += ramps;
     return density;
 }
@@ -47,8 +54,9 @@ INLINE void add_component(INOUT(Medium) medium, IN(Atmosphere) atmosphere, int i
     medium.scattering[i] = vec3(0.0f);
     if (code == 0) return;
     float density = component_density(atmosphere, i, next_ramp, h);
-    medium.extinction += atmosphere.components[i].extinction * density;
-    if (component_scatters(atmosphere, i)) medium.scattering[i] = atmosphere.components[i].scattering * density;
+    medium.extinction += AIR_CONTENT(atmosphere).components[i].extinction * density;
+    if (component_scatters(atmosphere, i))
+        medium.scattering[i] = AIR_CONTENT(atmosphere).components[i].scattering * density;
 }
 
 // One after the other, not in a loop: with known numbers compilers drop what is not there.

@@ -57,7 +57,7 @@ INLINE vec3 diffuse_extinction(IN(Atmosphere) atmosphere, IN(Medium) medium) {
     vec3 extinction = medium.extinction;
     for (int i = 0; i < AIR_COMPONENTS; ++i)
         if (component_scatters(atmosphere, i))
-            extinction -= medium.scattering[i] * (1.0f - atmosphere.components[i].moments.degree[0]);
+            extinction -= medium.scattering[i] * (1.0f - AIR_CONTENT(atmosphere).components[i].moments.degree[0]);
     return extinction;
 }
 
@@ -80,7 +80,7 @@ INLINE DiffuseLight diffuse_light(IN(Atmosphere) atmosphere, IN(LightMoments) ar
     light.root = around.root;
     for (int i = 0; i < AIR_COMPONENTS; ++i)
         if (component_scatters(atmosphere, i))
-            light.gain[i] = scattered_gain(atmosphere.components[i].moments, towards);
+            light.gain[i] = scattered_gain(AIR_CONTENT(atmosphere).components[i].moments, towards);
     return light;
 }
 

@@ -12,7 +12,8 @@ CONSTANT float GAUSS_OFFSET = 0.774596669f; // of the outer nodes, in halves of 
 
 INLINE void add_exponential(INOUT(vec3) extinction, IN(Atmosphere) atmosphere, int i, float h) {
     if ((component_code(atmosphere, i) & 127) == 1)
-        extinction += atmosphere.components[i].extinction * exp(h * atmosphere.components[i].falloff);
+        extinction += AIR_CONTENT(atmosphere).components[i].extinction *
+                      exp(h * AIR_CONTENT(atmosphere).components[i].falloff);
 }
 
 // Extinction of the exponential components [1/m] at altitude h [m].
@@ -78,10 +79,12 @@ INLINE void add_ramps(INOUT(vec3) depth, IN(Atmosphere) atmosphere, int i, INOUT
                       float begin, float end) {
     int ramps = max((component_code(atmosphere, i) & 127) - 1, 0);
     float path = 0.0f;
-    for (int j = 0; j < ramps; ++j)
-        path += atmosphere.ramps[next_ramp + j].z * ramp_path(atmosphere.ramps[next_ramp + j], ray, begin, end);
+    for (int j = 0; j < ramps; ++j) {
+        vec3 ramp = AIR_CONTENT(atmosphere).ramps[next_ramp + j];
+        path += ramp.z * ramp_path(ramp, ray, begin, end);
+    }
     next_ramp += ramps;
-    depth += atmosphere.components[i].extinction * max(path, 0.0f);
+    depth += AIR_CONTENT(atmosphere).components[i].extinction * max(path, 0.0f);
 }
 
 // Between two distances [m] of a ray inside the air.

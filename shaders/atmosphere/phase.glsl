@@ -33,7 +33,8 @@ INLINE RayPhases phases_of(IN(Atmosphere) atmosphere, float nu) {
     RayPhases phases;
     for (int i = 0; i < AIR_COMPONENTS; ++i) {
         phases.of_component[i] = 0.0f;
-        if (component_scatters(atmosphere, i)) phases.of_component[i] = component_phase(atmosphere.components[i], nu);
+        if (component_scatters(atmosphere, i))
+            phases.of_component[i] = component_phase(AIR_CONTENT(atmosphere).components[i], nu);
     }
     return phases;
 }

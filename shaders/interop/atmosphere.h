@@ -9,7 +9,7 @@
 
 #define PHASE_DEGREES 5
 
-// Specialization constants of every compute shader: Atmosphere.composition. With it known when a pipeline is made,
+// Specialization constants of every compute shader: AirContent.composition. With it known when a pipeline is made,
 // what the air does not have costs nothing. Constant 0 is the pass's own.
 #define AIR_COMPOSITION_LOW_ID 1
 #define AIR_COMPOSITION_HIGH_ID 2
@@ -34,17 +34,25 @@ struct AirComponent {
 };
 CHECK_SIZE(AirComponent, 68);
 
-struct Atmosphere {
-    float ground_radius;      // [m] reference radius, "sea level"
-    float top_altitude;       // [m] above it; no air beyond
-    ivec2 composition;        // a byte for each component, from the lowest on: air_component_code
+// What the air is made of.
+struct AirContent {
+    ivec2 composition; // a byte for each component, from the lowest on: air_component_code
     AirComponent components[AIR_COMPONENTS];
     // Pieces of densities that are linear in altitude, component after component: z times a ramp from 0 at altitude
     // x [m] to 1 at x + 1 / y; y [1/m] > 0.
     vec3 ramps[AIR_RAMPS];
+};
+CHECK_SIZE(AirContent, 840);
+
+struct Atmosphere {
+    float ground_radius;      // [m] reference radius, "sea level"
+    float top_altitude;       // [m] above it; no air beyond
     vec3 ground_albedo;       // mean, for light that the ground gives back to the air
     vec3 solar_irradiance;    // relative, above the air
     float sun_angular_radius; // [rad]
+#ifdef __cplusplus
+    AirContent content;       // for GLSL it stands behind, in FrameConstants: atmosphere/density.glsl
+#endif
 };
 CHECK_SIZE(Atmosphere, 876);
 

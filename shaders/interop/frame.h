@@ -3,6 +3,8 @@
 #define ALPENGLOW_INTEROP_FRAME_H
 #include "interop/atmosphere.h"
 
+#define FRAME_SLOT 0 // of every pass that takes FrameConstants: uniform buffer
+
 #define MOST_CASCADES 4
 
 // Which matrix a mesh is drawn with: the view's, or that of cascade PROJECTION_CASCADE + i.
@@ -36,6 +38,9 @@ struct Cascade {
 
 struct FrameConstants {
     Atmosphere atmosphere;
+#ifndef __cplusplus
+    AirContent air_content;        // in C++ the Atmosphere's
+#endif
     mat4 clip_from_relative[5];    // PROJECTION_…: from camera-relative world axes
     mat3 light_from_world;         // rotation: x, y across the sun's rays, z away from the sun
     vec2 light_depth;              // cascade depth = light.z * light_depth.x + light_depth.y

@@ -1,10 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
+#include "frame/frame_block.glsl"
 #include "frame/node_moments.glsl"
 #include "interop/multiple_scattering.h"
 
-layout(set = 0, binding = FIRST_ORDER_FRAME_SLOT, scalar) uniform Frame { FrameConstants frame; };
 layout(set = 0, binding = FIRST_ORDER_TRANSMITTANCE_SLOT) uniform sampler2D transmittance_table;
 layout(set = 0, binding = FIRST_ORDER_TABLE_SLOT, rgba32f) uniform writeonly image2D table;
 layout(set = 0, binding = FIRST_ORDER_START_SLOT, rgba32f) uniform writeonly image2D start;

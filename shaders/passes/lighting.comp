@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
+#include "frame/frame_block.glsl"
 #include "atmosphere/transmittance.glsl"
 #include "encoding/color.glsl"
 #include "encoding/octahedral.glsl"
@@ -10,7 +11,6 @@
 #include "surface/brdf.glsl"
 
 layout(local_size_x = WORKGROUP_SIZE, local_size_y = WORKGROUP_SIZE) in;
-layout(set = 0, binding = LIGHTING_FRAME_SLOT, scalar) uniform Constants { FrameConstants frame; };
 layout(set = 0, binding = LIGHTING_ALBEDO_SLOT) uniform sampler2D albedo_image;
 layout(set = 0, binding = LIGHTING_NORMAL_SLOT) uniform sampler2D normal_image;
 layout(set = 0, binding = LIGHTING_MATERIAL_SLOT) uniform sampler2D material_image;

@@ -1,10 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
+#include "frame/frame_block.glsl"
 #include "frame/mesh_transform.glsl"
 
 // A mesh in the view or in a cascade.
-layout(set = 0, binding = GBUFFER_FRAME_SLOT, scalar) uniform Constants { FrameConstants frame; };
 layout(push_constant, scalar) uniform Push { MeshDraw draw; };
 
 layout(location = VERTEX_POSITION) in vec3 position;

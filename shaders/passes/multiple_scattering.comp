@@ -1,10 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
+#include "frame/frame_block.glsl"
 #include "frame/node_moments.glsl"
 #include "interop/multiple_scattering.h"
 
-layout(set = 0, binding = MULTIPLE_SCATTERING_FRAME_SLOT, scalar) uniform Frame { FrameConstants frame; };
 layout(set = 0, binding = MULTIPLE_SCATTERING_FIRST_ORDER_SLOT) uniform sampler2D first_order_table;
 layout(set = 0, binding = MULTIPLE_SCATTERING_BEFORE_SLOT) uniform sampler2D before_table;
 layout(set = 0, binding = MULTIPLE_SCATTERING_TABLE_SLOT, rgba32f) uniform image2D table;

@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
+#include "frame/frame_block.glsl"
 #include "atmosphere/geometry.glsl"
 #include "encoding/octahedral.glsl"
 #include "interop/gbuffer.h"
@@ -8,7 +9,6 @@
 #include "surface/planet_look.glsl"
 
 // The planet's body, where nothing nearer stands: a sphere hit by the pixel's ray, with its own depth.
-layout(set = 0, binding = GBUFFER_FRAME_SLOT, scalar) uniform Constants { FrameConstants frame; };
 
 layout(location = 0) in vec2 ndc;
 

@@ -1,11 +1,11 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
+#include "frame/frame_block.glsl"
 #include "atmosphere/transmittance.glsl"
 #include "interop/transmittance.h"
 
 layout(local_size_x = WORKGROUP_SIZE, local_size_y = WORKGROUP_SIZE) in;
-layout(set = 0, binding = TRANSMITTANCE_FRAME_SLOT, scalar) uniform Frame { FrameConstants frame; };
 layout(set = 0, binding = TRANSMITTANCE_TABLE_SLOT, rgba32f) uniform writeonly image2D table;
 
 void main() {

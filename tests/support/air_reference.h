@@ -24,28 +24,28 @@ struct Air {
     double density(int i, double h) const {
         int ramp = 0;
         for (int j = 0; j < i; ++j) ramp += ramps(j);
-        if (ramps(i) == 0) return std::exp(h * given.components[i].falloff);
+        if (ramps(i) == 0) return std::exp(h * given.content.components[i].falloff);
         double sum = 0;
         for (int end = ramp + ramps(i); ramp < end; ++ramp)
-            sum += given.ramps[ramp].z * std::clamp((h - given.ramps[ramp].x) * given.ramps[ramp].y, 0.0, 1.0);
+            sum += given.content.ramps[ramp].z * std::clamp((h - given.content.ramps[ramp].x) * given.content.ramps[ramp].y, 0.0, 1.0);
         return sum;
     }
     dvec3 extinction(double h) const {
         dvec3 sum(0);
-        for (int i = 0; code(i) != 0; ++i) sum += dvec3(given.components[i].extinction) * density(i, h);
+        for (int i = 0; code(i) != 0; ++i) sum += dvec3(given.content.components[i].extinction) * density(i, h);
         return sum;
     }
     /// Scattering times phase [1/(m sr)] at the cosine nu.
     dvec3 scattered(double h, double nu) const {
         dvec3 sum(0);
         for (int i = 0; code(i) != 0; ++i)
-            sum += dvec3(given.components[i].scattering) * (density(i, h) * phase(given.components[i], nu));
+            sum += dvec3(given.content.components[i].scattering) * (density(i, h) * phase(given.content.components[i], nu));
         return sum;
     }
 
 private:
     int code(int i) const {
-        return i < AIR_COMPONENTS ? (given.composition[i / 4] >> (8 * (i % 4))) & 255 : 0;
+        return i < AIR_COMPONENTS ? (given.content.composition[i / 4] >> (8 * (i % 4))) & 255 : 0;
     }
     int ramps(int i) const { return code(i) % 128 - 1; }
     static double lobe(glm::vec2 const& lobe, double nu) {

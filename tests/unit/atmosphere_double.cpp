@@ -29,14 +29,14 @@ TEST(AirInDouble, the_zeniths_optical_depth_is_the_closed_form) {
     Atmosphere air{};
     air.ground_radius = R;
     air.top_altitude = 1e5;
-    air.components[0].extinction = glm::dvec3(33.1e-6);
-    air.components[0].falloff = -1.0 / 8000;
-    air.components[1].extinction = glm::dvec3(4.44e-6);
-    air.components[1].falloff = -1.0 / 1200;
-    air.components[2].extinction = glm::dvec3(1.881e-6);
-    air.ramps[0] = {10000, 1.0 / 15000, 1};
-    air.ramps[1] = {25000, 1.0 / 15000, -1};
-    air.composition.x = air_component_code(0, false) | air_component_code(0, false) << 8 | air_component_code(2, false) << 16;
+    air.content.components[0].extinction = glm::dvec3(33.1e-6);
+    air.content.components[0].falloff = -1.0 / 8000;
+    air.content.components[1].extinction = glm::dvec3(4.44e-6);
+    air.content.components[1].falloff = -1.0 / 1200;
+    air.content.components[2].extinction = glm::dvec3(1.881e-6);
+    air.content.ramps[0] = {10000, 1.0 / 15000, 1};
+    air.content.ramps[1] = {25000, 1.0 / 15000, -1};
+    air.content.composition.x = air_component_code(0, false) | air_component_code(0, false) << 8 | air_component_code(2, false) << 16;
     double const exact = 33.1e-6 * 8000 * -std::expm1(-12.5) + 4.44e-6 * 1200 + 1.881e-6 * 15000;
     // What 120 Gauss-Legendre nodes leave.
     EXPECT_NEAR(compute_optical_depth_to_top(air, 0, 1).x, exact, 1e-6 * exact);

@@ -1,10 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
+#include "frame/frame_block.glsl"
 #include "models/tables/sky_light.glsl"
 
 layout(local_size_x = WORKGROUP_SIZE, local_size_y = WORKGROUP_SIZE) in;
-layout(set = 0, binding = TABLE_FRAME_SLOT, scalar) uniform Frame { FrameConstants frame; };
 layout(set = 0, binding = TABLE_TRANSMITTANCE_SLOT) uniform sampler2D transmittance_table;
 layout(set = 0, binding = TABLE_ISOTROPIC_SLOT) uniform sampler2D isotropic_table;
 layout(set = 0, binding = TABLE_RESULT_SLOT, rgba32f) uniform writeonly image2D table;
