@@ -155,8 +155,9 @@ int cells_before(MarchCells first, MarchCells second, int n) {
     return clamp(share, first.end > first.begin ? 1 : 0, second.end > second.begin ? n - 1 : n);
 }
 
-// The segment's transmittance: from the table where that is well conditioned, from the march's own sum elsewhere.
-vec3 segment_transmittance(AirRay ray, float end, vec3 marched) {
+// Transmittance from the ray's origin out of the air, of light that is not scattered at all: the sun's disc is too narrow for what
+// goes nearly straight on. From the table where that is well conditioned, from the march's own sum elsewhere.
+vec3 celestial_transmittance(AirRay ray, float end, vec3 marched) {
     SegmentTransmittance table = sample_segment_transmittance(transmittance_table, frame.atmosphere, air_point_at(ray, 0.0), air_point_at(ray, end));
     return mix(marched, table.transmittance, table.trust);
 }
@@ -199,7 +200,7 @@ AirLight march_air(ivec2 pixel, AirRay from_camera, vec3 light, float distance) 
     MarchCells first = make_march_cells(atmosphere, ray, 0.0, shaded.begin), second = make_march_cells(atmosphere, ray, shaded.end, end);
     int before = rest > 0 ? cells_before(first, second, rest) : 0;
     AirLight result = march_around(atmosphere, ray, phases, first, before, between, second, rest - before);
-    result.transmittance = segment_transmittance(ray, end, result.transmittance);
+    if (distance < 0.0) result.transmittance = celestial_transmittance(ray, end, result.transmittance);
     return result;
 }
 
