@@ -14,7 +14,7 @@ namespace {
 
 /// Orders of scattering behind the first, and how often the orders to come are added as a geometric series: an order is
 /// worth 0.4 of the last on Earth, 0.85 on the dense planet.
-constexpr int ROUNDS = 12, EXTRAPOLATION = 4;
+constexpr int ROUNDS = 18, EXTRAPOLATION = 6;
 
 /// A workgroup for each node.
 Extent const NODES{MULTIPLE_SCATTERING_WIDTH * WORKGROUP_SIZE, MULTIPLE_SCATTERING_HEIGHT * WORKGROUP_SIZE};
