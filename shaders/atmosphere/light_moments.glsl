@@ -83,6 +83,16 @@ INLINE vec3 irradiance_gain(LightByDegree light) {
                vec3(0.0f));
 }
 
+// Mean radiance in a lobe around the direction, relative to m_0. `alpha` is GGX's: a narrow lobe is a Gaussian whose
+// variance is 2 alpha^2, and loses exp(-l (l + 1) alpha^2) of degree l (Ramamoorthi and Hanrahan 2001, "A Signal-Processing
+// Framework", give the same for small l); the widest is near the cosine's, 2/3 and 1/4.
+INLINE vec3 lobe_gain(LightByDegree light, float alpha) {
+    float width = alpha * alpha / (1.0f + 4.0f * alpha * alpha);
+    return max(vec3(1.0f) + exp(-2.0f * width) * light.first + exp(-6.0f * width) * light.second +
+                   exp(-12.0f * width) * light.third + exp(-20.0f * width) * light.fourth,
+               vec3(0.0f));
+}
+
 // Row of the first tile: the table's upper and lower half rows belong to the edge, so that tiles do not mix.
 INLINE vec2 light_moments_uv(Atmosphere atmosphere, float h, float mu_s) {
     vec2 uv = sun_table_uv(atmosphere, h, mu_s, MULTIPLE_SCATTERING_WIDTH, MULTIPLE_SCATTERING_HEIGHT);
