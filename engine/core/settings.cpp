@@ -38,6 +38,8 @@ constexpr std::array TABLE{
                 .unit = "texels", .help = "side of a shadow map"},
     SettingInfo{.name = "shadow_reach", .member = &Settings::shadow_reach, .smallest = 1e2, .largest = 1e7,
                 .unit = "m", .help = "distance at which shadows fade out"},
+    SettingInfo{.name = "ambient_occlusion", .member = &Settings::ambient_occlusion,
+                .help = "surfaces hide the sky from each other"},
     SettingInfo{.name = "exposure", .member = &Settings::exposure, .smallest = -32, .largest = 32, .unit = "stops",
                 .help = "displayed = curve(2^exposure * radiance)"},
     SettingInfo{.name = "auto_exposure", .member = &Settings::auto_exposure,

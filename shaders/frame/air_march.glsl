@@ -79,7 +79,7 @@ void add_air_cell(inout AirLight light, Atmosphere atmosphere, RayPhases phases,
     edge = next;
     float cell_length = cell.end - cell.begin, t = cell.middle + air.centre * cell_length;
     vec3 sun = seen * sample_sun_transmittance_along(transmittance_table, atmosphere, altitude_at(ray, t), ray.sun_along + t * ray.nu);
-    DiffuseLight diffuse = diffuse_light_in(run, middle + air.centre * per_cell);
+    DiffuseLight diffuse = shaded_light(atmosphere, diffuse_light_in(run, middle + air.centre * per_cell), seen);
     vec3 extinction = diffuse_extinction(atmosphere, air.mean);
     if ((frame.flags & FRAME_MULTIPLE_SCATTERING) == 0) {
         diffuse = no_diffuse_light();
