@@ -2,6 +2,7 @@
 
 #include "gpu/transfer.h"
 #include "render/frame_constants.h"
+#include "render/ground_light.h"
 #include "render/models/models.h"
 #include "render/passes/exposure.h"
 
@@ -70,7 +71,9 @@ void Renderer::draw(World const& world, Settings const& settings, Extent extent,
         shadow = fit_cascades({scene_->bounds(), scene_->world_from_scene()}, world.camera, world.to_sun, wanted);
     }
     double const ceiling = scene_ ? scene_->highest_altitude() : 0.0;
-    auto const constants = supersample_constants(world, settings, extent, shadow, ceiling);
+    auto constants = supersample_constants(world, settings, extent, shadow, ceiling);
+    glm::vec3 const albedo = albedo_around(world, scene_.get());
+    for (shader::FrameConstants& frame : constants) frame.atmosphere.ground_albedo = albedo;
     AirModel const& model = air_model(settings.model);
     AirTableStore::Kept& tables = air_tables_.of(model);
     bool const stale = take_air(tables, constants.front().atmosphere);
