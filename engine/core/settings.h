@@ -26,10 +26,10 @@ struct Settings {
 
     // Shadows
     bool shadows = true;
+    bool ambient_occlusion = true;
     int cascades = 4;          ///< 1 to 4
     int cascade_size = 2048;   ///< texels along a side, 256 to 8192
     double shadow_reach = 1e5; ///< [m]
-    bool ambient_occlusion = true;
 
     // The picture
     double exposure = 0.0;        ///< [stops]; displayed = curve(2^exposure * radiance)
