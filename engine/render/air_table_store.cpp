@@ -21,6 +21,10 @@ AirTableStore::Kept& AirTableStore::of(AirModel const& model) {
     return entry->second;
 }
 
+void AirTableStore::discard() {
+    for (auto& [model, kept] : kept_) kept.made_for.reset();
+}
+
 GpuImage* AirTableStore::find(std::string_view name) const {
     if (!last_) return nullptr;
     for (std::size_t i = 0; i < last_->tables.size(); ++i) {

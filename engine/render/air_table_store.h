@@ -21,6 +21,8 @@ public:
     };
     /// Makes the images where there are none yet.
     Kept& of(AirModel const& model);
+    /// From now on they hold nothing.
+    void discard();
     /// Of the model that was asked for last; nullptr where it has none of that name.
     GpuImage* find(std::string_view name) const;
 

@@ -31,6 +31,8 @@ public:
     /// Runs `finish` behind the last picture, which is not drawn anew. There must be one.
     void finish_again(Finish const& finish, PresentSync const& sync);
     void wait() { executor_.wait(); }
+    /// The next frame makes the tables of its model of the air anew, at once; for measuring.
+    void discard_air_tables() { air_tables_.discard(); }
 
     /// Lets the next picture's automatic exposure go on from that of the picture before, `seconds` ago. A picture before
     /// which nobody says so is adapted at once.
