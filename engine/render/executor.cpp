@@ -44,6 +44,19 @@ std::vector<SlotLayout> layout_of(std::vector<Slot> const& slots) {
     return result;
 }
 
+/// lavapipe runs a dispatch at once, but a timestamp behind raster passes only when it next waits for them: without a
+/// wait, a dispatch lies between two timestamps that are taken together.
+void settle_timestamp(VkCommandBuffer commands) {
+    VkMemoryBarrier2 barrier{};
+    barrier.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2;
+    barrier.srcStageMask = barrier.dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+    VkDependencyInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
+    info.memoryBarrierCount = 1;
+    info.pMemoryBarriers = &barrier;
+    vkCmdPipelineBarrier2(commands, &info);
+}
+
 } // namespace
 
 struct Executor::InFlight {
@@ -204,6 +217,7 @@ void Executor::submit(FrameGraph const& graph, PresentSync const& sync) {
         record_barriers_of(recording, frame_plan.barriers[i]);
         std::uint32_t const query = 2 * static_cast<std::uint32_t>(i);
         vkCmdWriteTimestamp2(slot.commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, slot.queries, query);
+        if (device_.is_software()) settle_timestamp(slot.commands);
         std::visit([&](auto const& work) { record(recording, work); }, pass.work);
         vkCmdWriteTimestamp2(slot.commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, slot.queries, query + 1);
         device_.end_label(slot.commands);
