@@ -59,7 +59,7 @@ private:
     void finish(FrameGraph& graph, ImageId picture, GpuImage& target);
     void note_times();
     void note_exposure();
-    bool stands_still() const;
+    bool stands_still();
     void save();
     std::string message() const;
     KeyTarget target() { return {pilot_, screen_}; }
@@ -110,9 +110,9 @@ void WindowFlight::step() {
 }
 
 /// Whether the next picture would be the last one again.
-bool WindowFlight::stands_still() const {
+bool WindowFlight::stands_still() {
     bool const adapting = std::abs(report_.exposure_target - report_.exposure) > ADAPTED;
-    return drawn_ == view_text(pilot_.view()) && !adapting;
+    return drawn_ == view_text(pilot_.view()) && !adapting && stage_.renderer().tables_finished();
 }
 
 bool WindowFlight::fit_window(WindowEvents const& events) {
@@ -221,7 +221,9 @@ void WindowFlight::note_exposure() {
 /// The picture in the window's full size, without the panel.
 void WindowFlight::save() {
     stage_.renderer().pass_time(0); // as it is seen
-    stage_.draw(pilot_.view(), world_, swapchain_.extent());
+    View finished = pilot_.view();
+    finished.settings.spread_tables = false;
+    stage_.draw(finished, world_, swapchain_.extent());
     try {
         message_ = "saved " + save_view(SAVED_VIEWS, pilot_.view(), stage_.renderer().picture()).string();
         log_info(message_);

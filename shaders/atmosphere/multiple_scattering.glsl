@@ -5,7 +5,7 @@
 // scattering (delta scaling: Joseph, Wiscombe and Weinman 1976).
 #ifndef ALPENGLOW_ATMOSPHERE_MULTIPLE_SCATTERING_GLSL
 #define ALPENGLOW_ATMOSPHERE_MULTIPLE_SCATTERING_GLSL
-#include "atmosphere/light_moments.glsl"
+#include "atmosphere/diffuse_run.glsl"
 #include "atmosphere/phase.glsl"
 #include "atmosphere/segment_integral.glsl"
 #include "atmosphere/transmittance.glsl"
@@ -90,6 +90,8 @@ INLINE vec3 first_order_light(Atmosphere atmosphere, sampler2D transmittance_tab
     return behind_air(light, ground * vec3(segment.hits_ground ? 1.0f : 0.0f));
 }
 
+CONSTANT int GATHER_RUN = 4;
+
 // Radiance that a ray inside the air brings to its origin [1/sr], of the light in the table scattered once more.
 INLINE vec3 scattered_light(Atmosphere atmosphere, sampler2D table, AirRay ray, int n) {
     AirSegment segment = air_segment(atmosphere, ray);
@@ -97,20 +99,22 @@ INLINE vec3 scattered_light(Atmosphere atmosphere, sampler2D table, AirRay ray, 
     AirLight light = no_air_light();
     float from = segment.begin;
     Medium edge = medium_at(atmosphere, altitude_at(ray, from));
-    for (int i = 0; i < n; ++i) {
-        MarchCell cell = march_cell_from(cells, from, i, n);
-        from = cell.end;
-        Medium next = medium_at(atmosphere, altitude_at(ray, cell.end));
-        CellMedium air = cell_medium(edge, medium_at(atmosphere, altitude_at(ray, cell.middle)), next);
-        edge = next;
-        float cell_length = cell.end - cell.begin;
-        AirPoint point = air_point_at(ray, cell.middle + air.centre * cell_length);
-        LightMoments around = sample_light_moments(table, atmosphere, point.altitude, point.mu_s);
-        LightByDegree towards = light_by_degree(around, sunward_direction(point.mu, point.mu_s, ray.nu));
-        vec3 source = air.mean.rayleigh_scattering *
-                          scattered_gain(atmosphere.phase_moments[RAYLEIGH_MOMENTS], towards) +
-                      air.mean.aerosol_scattering * scattered_gain(atmosphere.phase_moments[AEROSOL_MOMENTS], towards);
-        add_cell(light, source * power32(around.root), diffuse_extinction(atmosphere, air.mean), cell_length);
+    DiffuseRun run;
+    run.far = diffuse_node(table, atmosphere, ray, from);
+    for (int first = 0; first < n; first += GATHER_RUN) {
+        run.near = run.far;
+        run.middle = diffuse_node(table, atmosphere, ray, march_distance(cells, (float(first) + 0.5f * GATHER_RUN) / float(n)));
+        run.far = diffuse_node(table, atmosphere, ray, march_distance(cells, float(first + GATHER_RUN) / float(n)));
+        for (int i = 0; i < GATHER_RUN; ++i) {
+            MarchCell cell = march_cell_from(cells, from, first + i, n);
+            from = cell.end;
+            Medium next = medium_at(atmosphere, altitude_at(ray, cell.end));
+            CellMedium air = cell_medium(edge, medium_at(atmosphere, altitude_at(ray, cell.middle)), next);
+            edge = next;
+            DiffuseLight diffuse = diffuse_light_in(run, (float(i) + 0.5f + air.centre) / float(GATHER_RUN));
+            vec3 source = air.mean.rayleigh_scattering * diffuse.rayleigh + air.mean.aerosol_scattering * diffuse.aerosol;
+            add_cell(light, source, diffuse_extinction(atmosphere, air.mean), cell.end - cell.begin);
+        }
     }
     float mu_s = air_point_at(ray, segment.end).mu_s;
     vec3 irradiance = sample_diffuse_irradiance(table, atmosphere, 0.0f, mu_s, 1.0f, mu_s);
