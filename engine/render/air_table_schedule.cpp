@@ -14,8 +14,12 @@ void TablePace::note(std::vector<PassTime> const& times, std::span<AirTableStep 
             group_ms_[time.name] = time.gpu_ms / static_cast<double>(time.groups);
         }
     }
-    if (frame > 0) frame_ms_ = frame;
+    if (frame <= 0) return;
+    frames_ms_.push_back(frame);
+    if (frames_ms_.size() > FRAMES) frames_ms_.pop_front();
 }
+
+double TablePace::frame_ms() const { return frames_ms_.empty() ? 0 : *std::ranges::min_element(frames_ms_); }
 
 std::optional<double> TablePace::group_ms(std::string const& pass) const {
     auto const found = group_ms_.find(pass);

@@ -3,7 +3,9 @@
 #include "render/executor.h"
 #include "render/models/model.h"
 
+#include <deque>
 #include <map>
+#include <optional>
 #include <span>
 
 namespace alpenglow {
@@ -22,17 +24,19 @@ struct TableProgress {
     std::uint32_t group = 0;
 };
 
-/// What a workgroup of each pass costs on this device, and a frame without tables, as measured.
+/// What a workgroup of each pass costs on this device, and a frame without tables, as measured. The usual frame is the
+/// fastest of the last few: one that was held up must not let the next take longer.
 class TablePace {
 public:
     /// Times of a finished frame. The passes of `steps` are the tables', the rest is the usual frame.
     void note(std::vector<PassTime> const& times, std::span<AirTableStep const> steps);
-    double frame_ms() const { return frame_ms_; } ///< 0: not known
+    double frame_ms() const; ///< 0: not known
     /// Of a workgroup; nothing where the pass has not run yet.
     std::optional<double> group_ms(std::string const& pass) const;
 
 private:
-    double frame_ms_ = 0;
+    static constexpr std::size_t FRAMES = 8;
+    std::deque<double> frames_ms_; ///< of the last
     std::map<std::string, double> group_ms_; ///< by pass
 };
 

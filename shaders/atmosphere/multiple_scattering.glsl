@@ -19,8 +19,8 @@ struct GatherRays {
     int cells; // of the march
 };
 
-CONSTANT GatherRays FIRST_ORDER_RAYS = GatherRays(4, 2, 16, 24);
-CONSTANT GatherRays HIGHER_ORDER_RAYS = GatherRays(3, 2, 8, 16);
+CONSTANT GatherRays FIRST_ORDER_RAYS = GatherRays(4, 2, 12, 24);
+CONSTANT GatherRays HIGHER_ORDER_RAYS = GatherRays(3, 2, 6, 16);
 
 INLINE int gather_count(GatherRays rays) { return 4 * (rays.above + rays.below) * rays.azimuths; }
 
@@ -90,8 +90,6 @@ INLINE vec3 first_order_light(Atmosphere atmosphere, sampler2D transmittance_tab
     return behind_air(light, ground * vec3(segment.hits_ground ? 1.0f : 0.0f));
 }
 
-CONSTANT int GATHER_RUN = 4;
-
 // Radiance that a ray inside the air brings to its origin [1/sr], of the light in the table scattered once more.
 INLINE vec3 scattered_light(Atmosphere atmosphere, sampler2D table, AirRay ray, int n) {
     AirSegment segment = air_segment(atmosphere, ray);
@@ -101,17 +99,19 @@ INLINE vec3 scattered_light(Atmosphere atmosphere, sampler2D table, AirRay ray, 
     Medium edge = medium_at(atmosphere, altitude_at(ray, from));
     DiffuseRun run;
     run.far = diffuse_node(table, atmosphere, ray, from);
-    for (int first = 0; first < n; first += GATHER_RUN) {
+    for (int first = 0; first < n; first += RUN) {
+        int end = min(first + RUN, n);
+        float per_cell = 1.0f / float(end - first);
         run.near = run.far;
-        run.middle = diffuse_node(table, atmosphere, ray, march_distance(cells, (float(first) + 0.5f * GATHER_RUN) / float(n)));
-        run.far = diffuse_node(table, atmosphere, ray, march_distance(cells, float(first + GATHER_RUN) / float(n)));
-        for (int i = 0; i < GATHER_RUN; ++i) {
-            MarchCell cell = march_cell_from(cells, from, first + i, n);
+        run.middle = diffuse_node(table, atmosphere, ray, march_distance(cells, 0.5f * float(first + end) / float(n)));
+        run.far = diffuse_node(table, atmosphere, ray, march_distance(cells, float(end) / float(n)));
+        for (int i = first; i < end; ++i) {
+            MarchCell cell = march_cell_from(cells, from, i, n);
             from = cell.end;
             Medium next = medium_at(atmosphere, altitude_at(ray, cell.end));
             CellMedium air = cell_medium(edge, medium_at(atmosphere, altitude_at(ray, cell.middle)), next);
             edge = next;
-            DiffuseLight diffuse = diffuse_light_in(run, (float(i) + 0.5f + air.centre) / float(GATHER_RUN));
+            DiffuseLight diffuse = diffuse_light_in(run, (float(i - first) + 0.5f + air.centre) * per_cell);
             vec3 source = air.mean.rayleigh_scattering * diffuse.rayleigh + air.mean.aerosol_scattering * diffuse.aerosol;
             add_cell(light, source, diffuse_extinction(atmosphere, air.mean), cell.end - cell.begin);
         }

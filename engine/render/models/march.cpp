@@ -15,11 +15,10 @@ enum Tables : std::size_t { TRANSMITTANCE, COARSE_FIRST_ORDER, COARSE_ORDERS, FI
 constexpr Extent NODES{MULTIPLE_SCATTERING_WIDTH, MULTIPLE_SCATTERING_HEIGHT};
 constexpr Extent COARSE_NODES{NODES.width / 2, NODES.height / 2};
 
-/// Orders of scattering behind the first that are added on a quarter of the nodes, and on all.
-constexpr int COARSE_ROUNDS = 18, ROUNDS = 3;
-/// How often the orders to come are added as a geometric series: an order is worth 0.4 of the last on Earth, 0.85 on the
-/// dense planet.
-constexpr int COARSE_EXTRAPOLATION = 6, EXTRAPOLATION = 3;
+/// Orders of scattering behind the first that are added on a quarter of the nodes, and then on all; and how often the orders
+/// to come are added as a geometric series. An order is worth 0.4 of the last on Earth, 0.85 on the dense planet, where
+/// coarse nodes are off by up to a sixth.
+constexpr int COARSE_ROUNDS = 12, ROUNDS = 12, EXTRAPOLATION = 6;
 
 constexpr Extent moments_size(Extent nodes) { return {nodes.width, LIGHT_TILES * nodes.height}; }
 
@@ -52,7 +51,7 @@ std::vector<AirTableStep> make_steps() {
                                     first_order_step("coarse_first_order", COARSE_FIRST_ORDER, COARSE_NODES)};
     for (int round = 1; round <= COARSE_ROUNDS; ++round)
         steps.push_back(order_step("coarse_orders", COARSE_FIRST_ORDER, round == 1 ? COARSE_FIRST_ORDER : COARSE_ORDERS,
-                                   COARSE_ORDERS, COARSE_NODES, round % COARSE_EXTRAPOLATION == 0));
+                                   COARSE_ORDERS, COARSE_NODES, round % EXTRAPOLATION == 0));
     steps.push_back(first_order_step("first_order", FIRST_ORDER, NODES));
     for (int round = 1; round <= ROUNDS; ++round)
         steps.push_back(order_step("multiple_scattering", FIRST_ORDER, round == 1 ? COARSE_ORDERS : ORDERS, ORDERS,
