@@ -35,8 +35,8 @@ struct AirChange {
 std::vector<AirChange> const AIR_CHANGES{
     {"rayleigh scattering", [](Planet& planet) { planet.air.rayleigh.scattering *= 1.5; }},
     {"rayleigh scale height", [](Planet& planet) { planet.air.rayleigh.scale_height *= 0.8; }},
-    {"aerosol scattering", [](Planet& planet) { planet.air.aerosol.scattering *= 3.0; }},
-    {"aerosol absorption", [](Planet& planet) { planet.air.aerosol.absorption *= 2.0; }},
+    {"aerosol scattering", [](Planet& planet) { planet.air.aerosol.scattering *= 0.5; }},
+    {"aerosol extinction", [](Planet& planet) { planet.air.aerosol.extinction *= 4.0; }},
     {"aerosol scale height", [](Planet& planet) { planet.air.aerosol.scale_height *= 1.5; }},
     {"aerosol g", [](Planet& planet) { planet.air.aerosol_g = 0.6; }},
     {"ozone", [](Planet& planet) { planet.air.ozone_absorption *= 0.0; }},
