@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <string>
 
 using namespace alpenglow;
 using namespace alpenglow::test;
@@ -48,7 +49,7 @@ TEST_P(SpreadTables, keep_every_frame_to_its_share_and_end_as_those_made_at_once
     world_.planet.air.aerosol_g = 0.7;
     TablePace pace;
     pace.note(renderer().timings(), steps());
-    std::set<std::vector<std::byte>> seen;
+    std::set<std::string> seen; // states of the table that the picture is lit by, as bytes
     std::string const shown = air_model(GetParam()).tables.back().name;
     int frames = 0;
     for (bool finished = false; !finished && frames < 20000; ++frames) {
@@ -63,7 +64,8 @@ TEST_P(SpreadTables, keep_every_frame_to_its_share_and_end_as_those_made_at_once
             EXPECT_LE(made, std::max(TABLES_SHARE * pace.frame_ms() * 1.0001, most)) << "frame " << frames;
         }
         pace.note(renderer().timings(), steps());
-        seen.insert(renderer().image_bytes(shown));
+        std::vector<std::byte> const bytes = renderer().image_bytes(shown);
+        seen.emplace(reinterpret_cast<char const*>(bytes.data()), bytes.size());
     }
     EXPECT_GT(frames, 5);
     auto const makes_shown = [&](AirTableStep const& step) { return air_model(GetParam()).tables[step.makes.table].name == shown; };
