@@ -27,6 +27,8 @@ constexpr std::array TABLE{
                 .help = "light shafts: each march sample looks into the shadow cascades"},
     SettingInfo{.name = "multiple_scattering", .member = &Settings::multiple_scattering,
                 .help = "light that the air scatters more than once"},
+    SettingInfo{.name = "spread_tables", .member = &Settings::spread_tables,
+                .help = "spread the making of the air's tables over frames; off: a picture is of finished tables"},
     SettingInfo{.name = "march_dither", .member = &Settings::march_dither,
                 .help = "offset the march's samples from pixel to pixel, the same way in every picture"},
     SettingInfo{.name = "sun_disc", .member = &Settings::sun_disc, .help = "the sun's disc in the sky"},

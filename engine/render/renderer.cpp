@@ -20,13 +20,6 @@ ImageShape table_shape(std::uint32_t width, std::uint32_t height) {
     return {VK_FORMAT_R32G32B32A32_SFLOAT, {width, height}};
 }
 
-/// Whether the tables have to be made for this air, which from now on they are for.
-bool take_air(AirTableStore::Kept& tables, shader::Atmosphere const& air) {
-    if (tables.made_for && std::memcmp(&*tables.made_for, &air, sizeof air) == 0) return false;
-    tables.made_for = air;
-    return true;
-}
-
 std::vector<shader::FrameConstants> supersample_constants(World const& world, Settings const& settings, Extent extent,
                                                           ShadowFit const& shadow, double ceiling) {
     std::vector<shader::FrameConstants> result;
@@ -76,14 +69,18 @@ void Renderer::draw(World const& world, Settings const& settings, Extent extent,
     for (shader::FrameConstants& frame : constants) frame.atmosphere.ground_albedo = albedo;
     AirModel const& model = air_model(settings.model);
     AirTableStore::Kept& tables = air_tables_.of(model);
-    bool const stale = take_air(tables, constants.front().atmosphere);
+    shader::Atmosphere const& air = constants.front().atmosphere;
+    table_pace_.note(executor_.timings(), model.steps);
+    TableWork const work = table_work(tables, air, world.planet.name, settings.spread_tables, table_pace_);
     double const seconds = std::exchange(seconds_, ADAPTED_AT_ONCE);
-    FrameInputs const inputs{world,         settings, extent,    scene_.get(), shadow, constants, model,
-                             tables.images, stale,    exposure_, seconds,      *mean_, *picture_};
+    FrameInputs const inputs{world,         settings,    extent,    scene_.get(), shadow, constants, model,
+                             tables.tables, work.slices, exposure_, seconds,      *mean_, *picture_};
     FrameGraph graph;
     build_frame(graph, inputs);
     if (finish) finish(graph, graph.find("picture"));
     executor_.submit(graph, sync);
+    finish_work(tables, air, world.planet.name, work);
+    tables_finished_ = tables.finished();
 }
 
 void Renderer::finish_again(Finish const& finish, PresentSync const& sync) {

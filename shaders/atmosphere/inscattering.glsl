@@ -15,12 +15,6 @@ INLINE RayPhases phases_of(Atmosphere atmosphere, float nu) {
     return RayPhases(rayleigh_phase(nu), cornette_shanks_phase(nu, atmosphere.aerosol_g));
 }
 
-// Light that has been scattered before and is now scattered into the ray, per unit of each scattering [1/sr].
-struct DiffuseLight {
-    vec3 rayleigh;
-    vec3 aerosol;
-};
-
 INLINE DiffuseLight no_diffuse_light() { return DiffuseLight(vec3(0.0f), vec3(0.0f)); }
 
 INLINE DiffuseLight sample_diffuse_light(sampler2D table, Atmosphere atmosphere, AirPoint point, float nu) {

@@ -5,7 +5,7 @@
 // scattering (delta scaling: Joseph, Wiscombe and Weinman 1976).
 #ifndef ALPENGLOW_ATMOSPHERE_MULTIPLE_SCATTERING_GLSL
 #define ALPENGLOW_ATMOSPHERE_MULTIPLE_SCATTERING_GLSL
-#include "atmosphere/light_moments.glsl"
+#include "atmosphere/diffuse_run.glsl"
 #include "atmosphere/phase.glsl"
 #include "atmosphere/segment_integral.glsl"
 #include "atmosphere/transmittance.glsl"
@@ -19,8 +19,8 @@ struct GatherRays {
     int cells; // of the march
 };
 
-CONSTANT GatherRays FIRST_ORDER_RAYS = GatherRays(4, 2, 16, 24);
-CONSTANT GatherRays HIGHER_ORDER_RAYS = GatherRays(3, 2, 8, 16);
+CONSTANT GatherRays FIRST_ORDER_RAYS = GatherRays(4, 2, 12, 24);
+CONSTANT GatherRays HIGHER_ORDER_RAYS = GatherRays(3, 2, 6, 16);
 
 INLINE int gather_count(GatherRays rays) { return 4 * (rays.above + rays.below) * rays.azimuths; }
 
@@ -97,20 +97,24 @@ INLINE vec3 scattered_light(Atmosphere atmosphere, sampler2D table, AirRay ray, 
     AirLight light = no_air_light();
     float from = segment.begin;
     Medium edge = medium_at(atmosphere, altitude_at(ray, from));
-    for (int i = 0; i < n; ++i) {
-        MarchCell cell = march_cell_from(cells, from, i, n);
-        from = cell.end;
-        Medium next = medium_at(atmosphere, altitude_at(ray, cell.end));
-        CellMedium air = cell_medium(edge, medium_at(atmosphere, altitude_at(ray, cell.middle)), next);
-        edge = next;
-        float cell_length = cell.end - cell.begin;
-        AirPoint point = air_point_at(ray, cell.middle + air.centre * cell_length);
-        LightMoments around = sample_light_moments(table, atmosphere, point.altitude, point.mu_s);
-        LightByDegree towards = light_by_degree(around, sunward_direction(point.mu, point.mu_s, ray.nu));
-        vec3 source = air.mean.rayleigh_scattering *
-                          scattered_gain(atmosphere.phase_moments[RAYLEIGH_MOMENTS], towards) +
-                      air.mean.aerosol_scattering * scattered_gain(atmosphere.phase_moments[AEROSOL_MOMENTS], towards);
-        add_cell(light, source * power32(around.root), diffuse_extinction(atmosphere, air.mean), cell_length);
+    DiffuseRun run;
+    run.far = diffuse_node(table, atmosphere, ray, from);
+    for (int first = 0; first < n; first += RUN) {
+        int end = min(first + RUN, n);
+        float per_cell = 1.0f / float(end - first);
+        run.near = run.far;
+        run.middle = diffuse_node(table, atmosphere, ray, march_distance(cells, 0.5f * float(first + end) / float(n)));
+        run.far = diffuse_node(table, atmosphere, ray, march_distance(cells, float(end) / float(n)));
+        for (int i = first; i < end; ++i) {
+            MarchCell cell = march_cell_from(cells, from, i, n);
+            from = cell.end;
+            Medium next = medium_at(atmosphere, altitude_at(ray, cell.end));
+            CellMedium air = cell_medium(edge, medium_at(atmosphere, altitude_at(ray, cell.middle)), next);
+            edge = next;
+            DiffuseLight diffuse = diffuse_light_in(run, (float(i - first) + 0.5f + air.centre) * per_cell);
+            vec3 source = air.mean.rayleigh_scattering * diffuse.rayleigh + air.mean.aerosol_scattering * diffuse.aerosol;
+            add_cell(light, source, diffuse_extinction(atmosphere, air.mean), cell.end - cell.begin);
+        }
     }
     float mu_s = air_point_at(ray, segment.end).mu_s;
     vec3 irradiance = sample_diffuse_irradiance(table, atmosphere, 0.0f, mu_s, 1.0f, mu_s);

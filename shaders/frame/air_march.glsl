@@ -37,39 +37,6 @@ Span shaded_span(AirRay ray, vec3 light, float entry, float end) {
     return crossed(span, Span(0.0, end));
 }
 
-// Diffuse light changes slowly along a ray: a look into its six tiles at both ends and in the middle of a run of cells serves
-// them all, by a parabola between the 32nd roots, which follow an exponential nearly linearly.
-struct DiffuseNode {
-    vec3 root;          // of the mean diffuse light
-    vec3 rayleigh_gain; // what each scatters of it into the ray, relative to the mean
-    vec3 aerosol_gain;
-};
-
-const int RUN = 8; // cells
-
-DiffuseNode diffuse_node(Atmosphere atmosphere, AirRay ray, float t) {
-    AirPoint point = air_point_at(ray, t);
-    LightMoments around = sample_light_moments(multiple_scattering_table, atmosphere, point.altitude, point.mu_s);
-    LightByDegree towards = light_by_degree(around, sunward_direction(point.mu, point.mu_s, ray.nu));
-    return DiffuseNode(around.root, scattered_gain(atmosphere.phase_moments[RAYLEIGH_MOMENTS], towards),
-                       scattered_gain(atmosphere.phase_moments[AEROSOL_MOMENTS], towards));
-}
-
-struct DiffuseRun {
-    DiffuseNode near, middle, far;
-};
-
-vec3 on_parabola(vec3 near, vec3 middle, vec3 far, float share) {
-    return near * ((1.0 - share) * (1.0 - 2.0 * share)) + middle * (4.0 * share * (1.0 - share)) + far * (share * (2.0 * share - 1.0));
-}
-
-// At the share of the run's cells.
-DiffuseLight diffuse_light_in(DiffuseRun run, float share) {
-    vec3 mean = power32(max(on_parabola(run.near.root, run.middle.root, run.far.root, share), vec3(0.0)));
-    return DiffuseLight(mean * on_parabola(run.near.rayleigh_gain, run.middle.rayleigh_gain, run.far.rayleigh_gain, share),
-                        mean * on_parabola(run.near.aerosol_gain, run.middle.aerosol_gain, run.far.aerosol_gain, share));
-}
-
 // Adds the light of one cell. `middle` is its share of the run, `seen` the share of the sun's disc that no mesh hides; `edge` the
 // medium where the cell begins, and then where it ends.
 void add_air_cell(inout AirLight light, Atmosphere atmosphere, RayPhases phases, AirRay ray, MarchCell cell, DiffuseRun run,
@@ -94,13 +61,13 @@ AirLight march_shaded(Atmosphere atmosphere, AirRay ray, RayPhases phases, vec3 
     float size = (span.end - span.begin) / float(max(n, 1));
     Medium edge = medium_at(atmosphere, altitude_at(ray, span.begin));
     DiffuseRun run;
-    run.far = diffuse_node(atmosphere, ray, span.begin);
+    run.far = diffuse_node(multiple_scattering_table, atmosphere, ray, span.begin);
     for (int first = 0; first < n; first += RUN) {
         int next = min(first + RUN, n);
         float per_cell = 1.0 / float(next - first);
         run.near = run.far;
-        run.middle = diffuse_node(atmosphere, ray, span.begin + 0.5 * float(first + next) * size);
-        run.far = diffuse_node(atmosphere, ray, span.begin + float(next) * size);
+        run.middle = diffuse_node(multiple_scattering_table, atmosphere, ray, span.begin + 0.5 * float(first + next) * size);
+        run.far = diffuse_node(multiple_scattering_table, atmosphere, ray, span.begin + float(next) * size);
         for (int i = first; i < next; ++i) {
             float begin = span.begin + float(i) * size;
             MarchCell cell = MarchCell(begin, begin + 0.5 * size, begin + size);
@@ -115,14 +82,14 @@ AirLight march_shaded(Atmosphere atmosphere, AirRay ray, RayPhases phases, vec3 
 void march_clear(inout AirLight result, Atmosphere atmosphere, AirRay ray, RayPhases phases, MarchCells cells, int n) {
     Medium edge = medium_at(atmosphere, altitude_at(ray, cells.begin));
     DiffuseRun run;
-    run.far = diffuse_node(atmosphere, ray, cells.begin);
+    run.far = diffuse_node(multiple_scattering_table, atmosphere, ray, cells.begin);
     float from = cells.begin;
     for (int first = 0; first < n; first += RUN) {
         int next = min(first + RUN, n);
         float per_cell = 1.0 / float(next - first);
         run.near = run.far;
-        run.middle = diffuse_node(atmosphere, ray, march_distance(cells, 0.5 * float(first + next) / float(n)));
-        run.far = diffuse_node(atmosphere, ray, march_distance(cells, float(next) / float(n)));
+        run.middle = diffuse_node(multiple_scattering_table, atmosphere, ray, march_distance(cells, 0.5 * float(first + next) / float(n)));
+        run.far = diffuse_node(multiple_scattering_table, atmosphere, ray, march_distance(cells, float(next) / float(n)));
         for (int i = first; i < next; ++i) {
             MarchCell cell = march_cell_from(cells, from, i, n);
             from = cell.end;
