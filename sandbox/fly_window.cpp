@@ -59,7 +59,7 @@ private:
     void finish(FrameGraph& graph, ImageId picture, GpuImage& target);
     void note_times();
     void note_exposure();
-    bool stands_still() const;
+    bool stands_still();
     void save();
     std::string message() const;
     KeyTarget target() { return {pilot_, screen_}; }
@@ -110,9 +110,9 @@ void WindowFlight::step() {
 }
 
 /// Whether the next picture would be the last one again.
-bool WindowFlight::stands_still() const {
+bool WindowFlight::stands_still() {
     bool const adapting = std::abs(report_.exposure_target - report_.exposure) > ADAPTED;
-    return drawn_ == view_text(pilot_.view()) && !adapting;
+    return drawn_ == view_text(pilot_.view()) && !adapting && stage_.renderer().tables_finished();
 }
 
 bool WindowFlight::fit_window(WindowEvents const& events) {
@@ -200,9 +200,13 @@ void WindowFlight::finish(FrameGraph& graph, ImageId picture, GpuImage& target) 
 void WindowFlight::note_times() {
     double of_pixels = 0;
     bool whole = false;
+    std::vector<AirTableStep> const& steps = air_model(pilot_.settings().model).steps;
+    auto const makes_tables = [&](PassTime const& pass) {
+        return std::ranges::find(steps, pass.name, &AirTableStep::pass) != steps.end();
+    };
     for (PassTime const& pass : stage_.renderer().timings()) {
         whole = whole || pass.name == "lighting";
-        if (pass.name != "sun_shadow") of_pixels += pass.gpu_ms;
+        if (pass.name != "sun_shadow" && !makes_tables(pass)) of_pixels += pass.gpu_ms;
     }
     if (!whole) return;
     note_exposure();
@@ -221,7 +225,9 @@ void WindowFlight::note_exposure() {
 /// The picture in the window's full size, without the panel.
 void WindowFlight::save() {
     stage_.renderer().pass_time(0); // as it is seen
-    stage_.draw(pilot_.view(), world_, swapchain_.extent());
+    View finished = pilot_.view();
+    finished.settings.spread_tables = false;
+    stage_.draw(finished, world_, swapchain_.extent());
     try {
         message_ = "saved " + save_view(SAVED_VIEWS, pilot_.view(), stage_.renderer().picture()).string();
         log_info(message_);

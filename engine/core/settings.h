@@ -22,12 +22,14 @@ struct Settings {
     int samples = 32;                ///< march samples for each pixel, 4 to 1024
     bool shafts = true;              ///< each march sample looks into the shadow cascades
     bool multiple_scattering = true; ///< light scattered more than once
+    bool spread_tables = false;      ///< over frames; else a picture is of finished tables
     bool march_dither = false;       ///< deterministic offset of the march's samples from pixel to pixel
     bool sun_disc = true;
     bool stars = true;
 
     // Shadows
     bool shadows = true;
+    bool ambient_occlusion = true;
     int cascades = 4;          ///< 1 to 4
     int cascade_size = 2048;   ///< texels along a side, 256 to 8192
     double shadow_reach = 1e5; ///< [m]

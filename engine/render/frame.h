@@ -12,6 +12,8 @@
 namespace alpenglow {
 
 struct AirModel;
+struct StepSlice;
+struct TwofoldTable;
 
 /// What the frame's model of the air gives the lighting pass to read.
 struct AirTables {
@@ -35,8 +37,8 @@ struct FrameInputs {
     ShadowFit const& shadow;
     std::vector<shader::FrameConstants> const& constants; ///< one for each supersample
     AirModel const& model;             ///< how the air is lit
-    std::vector<std::unique_ptr<GpuImage>> const& air_tables; ///< the model's, in its order
-    bool air_is_stale = true;          ///< the tables hold nothing, or another air's
+    std::vector<TwofoldTable> const& air_tables; ///< the model's, in its order
+    std::vector<StepSlice> const& table_slices;  ///< of the model's steps, that make them in this frame
     GpuImage& exposure;                ///< one texel: interop/exposure.h
     double seconds;                    ///< since the picture before, by which exposure adapts; ADAPTED_AT_ONCE
     GpuImage& mean;                    ///< radiance, the mean of the supersamples

@@ -61,6 +61,7 @@ int flags_of(World const& world, Settings const& settings, bool cascades) {
     set(settings.sun_disc, FRAME_SUN_DISC);
     set(world.studio.has_value(), FRAME_STUDIO);
     set(settings.stars, FRAME_STARS);
+    set(settings.ambient_occlusion, FRAME_AMBIENT_OCCLUSION);
     set(world.planet.look == GroundLook::procedural, FRAME_PROCEDURAL_GROUND);
     return flags;
 }

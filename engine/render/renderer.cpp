@@ -2,6 +2,7 @@
 
 #include "gpu/transfer.h"
 #include "render/frame_constants.h"
+#include "render/ground_light.h"
 #include "render/models/models.h"
 #include "render/passes/exposure.h"
 
@@ -17,13 +18,6 @@ constexpr VkImageUsageFlags KEPT =
 
 ImageShape table_shape(std::uint32_t width, std::uint32_t height) {
     return {VK_FORMAT_R32G32B32A32_SFLOAT, {width, height}};
-}
-
-/// Whether the tables have to be made for this air, which from now on they are for.
-bool take_air(AirTableStore::Kept& tables, shader::Atmosphere const& air) {
-    if (tables.made_for && std::memcmp(&*tables.made_for, &air, sizeof air) == 0) return false;
-    tables.made_for = air;
-    return true;
 }
 
 std::vector<shader::FrameConstants> supersample_constants(World const& world, Settings const& settings, Extent extent,
@@ -70,17 +64,23 @@ void Renderer::draw(World const& world, Settings const& settings, Extent extent,
         shadow = fit_cascades({scene_->bounds(), scene_->world_from_scene()}, world.camera, world.to_sun, wanted);
     }
     double const ceiling = scene_ ? scene_->highest_altitude() : 0.0;
-    auto const constants = supersample_constants(world, settings, extent, shadow, ceiling);
+    auto constants = supersample_constants(world, settings, extent, shadow, ceiling);
+    glm::vec3 const albedo = albedo_around(world, scene_.get());
+    for (shader::FrameConstants& frame : constants) frame.atmosphere.ground_albedo = albedo;
     AirModel const& model = air_model(settings.model);
     AirTableStore::Kept& tables = air_tables_.of(model);
-    bool const stale = take_air(tables, constants.front().atmosphere);
+    shader::Atmosphere const& air = constants.front().atmosphere;
+    table_pace_.note(executor_.timings(), model.steps);
+    TableWork const work = table_work(tables, air, world.planet.name, settings.spread_tables, table_pace_);
     double const seconds = std::exchange(seconds_, ADAPTED_AT_ONCE);
-    FrameInputs const inputs{world,         settings, extent,    scene_.get(), shadow, constants, model,
-                             tables.images, stale,    exposure_, seconds,      *mean_, *picture_};
+    FrameInputs const inputs{world,         settings,    extent,    scene_.get(), shadow, constants, model,
+                             tables.tables, work.slices, exposure_, seconds,      *mean_, *picture_};
     FrameGraph graph;
     build_frame(graph, inputs);
     if (finish) finish(graph, graph.find("picture"));
     executor_.submit(graph, sync);
+    finish_work(tables, air, world.planet.name, work);
+    tables_finished_ = tables.finished();
 }
 
 void Renderer::finish_again(Finish const& finish, PresentSync const& sync) {

@@ -5,9 +5,20 @@
 #include "atmosphere/multiple_scattering.glsl"
 SHADER_NAMESPACE_BEGIN
 
-INLINE DiffuseLight sample_diffuse_light(sampler2D table, IN(Atmosphere) atmosphere, AirPoint point, float nu) {
-    LightMoments around = sample_light_moments(table, atmosphere, point.altitude, point.mu_s);
-    return diffuse_light(atmosphere, around, sunward_direction(point.mu, point.mu_s, nu));
+// What is left of the diffuse light where meshes hide the share 1 - `seen` of the sun. What hides the sun hides the bright
+// sky around it too, and that is what a forward phase scatters on: its light goes, and of an even phase's the part that
+// came from there. Tuned against the path tracer in valleys: SHADED_SHARE for an even phase.
+CONSTANT float SHADED_SHARE = 0.4f;
+
+INLINE float shaded_share(PhaseMoments phase, float seen) {
+    return mix(SHADED_SHARE * (phase.degree[0] - phase.degree[1]), 1.0f, seen);
+}
+
+INLINE DiffuseLight shaded_light(IN(Atmosphere) atmosphere, DiffuseLight light, float seen) {
+    for (int i = 0; i < AIR_COMPONENTS; ++i)
+        if (component_scatters(atmosphere, i))
+            light.gain[i] *= shaded_share(AIR_CONTENT(atmosphere).components[i].moments, seen);
+    return light;
 }
 
 // Radiance per metre [1/(sr m)] that the medium adds to the ray: sunlight `sun` at the point (transmittance times

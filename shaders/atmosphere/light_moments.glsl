@@ -5,7 +5,7 @@
 // real spherical harmonics whose square has the mean 1; their polar axis points to the sun and their azimuth starts in
 // the plane of the zenith, which is a plane of symmetry, so that the sines of the azimuth drop out. Degrees 0 to 2 are
 // whole, of 3 and 4 there is the part without azimuth.
-// Table: MULTIPLE_SCATTERING_WIDTH x 6 MULTIPLE_SCATTERING_HEIGHT, six tiles one above the other, two for each channel:
+// Table: of any width and six times any height, in six tiles one above the other, two for each channel:
 // (32nd root of m_0, m_1 / m_0, m_2 / m_0, m_3 / m_0) and (m_4 to m_7) / m_0.
 #ifndef ALPENGLOW_ATMOSPHERE_LIGHT_MOMENTS_GLSL
 #define ALPENGLOW_ATMOSPHERE_LIGHT_MOMENTS_GLSL
@@ -83,9 +83,19 @@ INLINE vec3 irradiance_gain(LightByDegree light) {
                vec3(0.0f));
 }
 
+// Mean radiance in a lobe around the direction, relative to m_0. `alpha` is GGX's: a narrow lobe is a Gaussian whose
+// variance is 2 alpha^2, and loses exp(-l (l + 1) alpha^2) of degree l (Ramamoorthi and Hanrahan 2001, "A Signal-Processing
+// Framework", give the same for small l); the widest is near the cosine's, 2/3 and 1/4.
+INLINE vec3 lobe_gain(LightByDegree light, float alpha) {
+    float width = alpha * alpha / (1.0f + 4.0f * alpha * alpha);
+    return max(vec3(1.0f) + exp(-2.0f * width) * light.first + exp(-6.0f * width) * light.second +
+                   exp(-12.0f * width) * light.third + exp(-20.0f * width) * light.fourth,
+               vec3(0.0f));
+}
+
 // Row of the first tile: the table's upper and lower half rows belong to the edge, so that tiles do not mix.
-INLINE vec2 light_moments_uv(IN(Atmosphere) atmosphere, float h, float mu_s) {
-    vec2 uv = sun_table_uv(atmosphere, h, mu_s, MULTIPLE_SCATTERING_WIDTH, MULTIPLE_SCATTERING_HEIGHT);
+INLINE vec2 light_moments_uv(IN(Atmosphere) atmosphere, ivec2 size, float h, float mu_s) {
+    vec2 uv = sun_table_uv(atmosphere, h, mu_s, size.x, size.y / LIGHT_TILES);
     return vec2(uv.x, uv.y / float(LIGHT_TILES));
 }
 
@@ -94,7 +104,7 @@ INLINE vec4 sample_light_tile(sampler2D table, vec2 uv, int tile) {
 }
 
 INLINE LightMoments sample_light_moments(sampler2D table, IN(Atmosphere) atmosphere, float h, float mu_s) {
-    vec2 uv = light_moments_uv(atmosphere, h, mu_s);
+    vec2 uv = light_moments_uv(atmosphere, textureSize(table, 0), h, mu_s);
     vec4 r = sample_light_tile(table, uv, 0), r_high = sample_light_tile(table, uv, 1);
     vec4 g = sample_light_tile(table, uv, 2), g_high = sample_light_tile(table, uv, 3);
     vec4 b = sample_light_tile(table, uv, 4), b_high = sample_light_tile(table, uv, 5);

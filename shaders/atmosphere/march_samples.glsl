@@ -12,9 +12,9 @@
 #include "atmosphere/geometry.glsl"
 SHADER_NAMESPACE_BEGIN
 
-CONSTANT float QUANTILE_HEIGHT = 0.27f; // H over the top altitude; 0.2 starves twilight, 0.4 low suns
+CONSTANT float QUANTILE_HEIGHT = 0.3f; // H over the top altitude; 0.2 starves twilight, 0.4 low suns
 CONSTANT float OFFSET_SHARE = 0.25f;    // of the whole k
-CONSTANT float CENTRE_SHARE = 0.3f;     // how far from the middle of its measure to its centre a cell is evaluated
+CONSTANT float CENTRE_SHARE = 0.5f;     // how far from the middle of its measure to its centre a cell is evaluated
 
 // The cells of a segment. The measure of a point is d over 1 - k², negative before the lowest point.
 struct MarchCells {

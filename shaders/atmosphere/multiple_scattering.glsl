@@ -5,7 +5,7 @@
 // scattering (delta scaling: Joseph, Wiscombe and Weinman 1976).
 #ifndef ALPENGLOW_ATMOSPHERE_MULTIPLE_SCATTERING_GLSL
 #define ALPENGLOW_ATMOSPHERE_MULTIPLE_SCATTERING_GLSL
-#include "atmosphere/light_moments.glsl"
+#include "atmosphere/diffuse_run.glsl"
 #include "atmosphere/phase.glsl"
 #include "atmosphere/segment_integral.glsl"
 #include "atmosphere/transmittance.glsl"
@@ -19,8 +19,8 @@ struct GatherRays {
     int cells; // of the march
 };
 
-CONSTANT GatherRays FIRST_ORDER_RAYS = GatherRays(4, 2, 16, 24);
-CONSTANT GatherRays HIGHER_ORDER_RAYS = GatherRays(3, 2, 8, 16);
+CONSTANT GatherRays FIRST_ORDER_RAYS = GatherRays(4, 2, 12, 24);
+CONSTANT GatherRays HIGHER_ORDER_RAYS = GatherRays(3, 2, 6, 16);
 
 INLINE int gather_count(GatherRays rays) { return 4 * (rays.above + rays.below) * rays.azimuths; }
 
@@ -61,36 +61,6 @@ INLINE vec3 diffuse_extinction(IN(Atmosphere) atmosphere, IN(Medium) medium) {
     return extinction;
 }
 
-// Light that has been scattered before and is now scattered into a ray.
-struct DiffuseLight {
-    vec3 root;                 // 32nd root of its mean over all directions [1/sr]
-    vec3 gain[AIR_COMPONENTS]; // what each component scatters of it, per unit of its scattering, relative to the mean
-};
-
-INLINE DiffuseLight no_diffuse_light() {
-    DiffuseLight none;
-    none.root = vec3(0.0f);
-    for (int i = 0; i < AIR_COMPONENTS; ++i) none.gain[i] = vec3(0.0f);
-    return none;
-}
-
-INLINE DiffuseLight diffuse_light(IN(Atmosphere) atmosphere, IN(LightMoments) around, SunwardDirection direction) {
-    LightByDegree towards = light_by_degree(around, direction);
-    DiffuseLight light = no_diffuse_light();
-    light.root = around.root;
-    for (int i = 0; i < AIR_COMPONENTS; ++i)
-        if (component_scatters(atmosphere, i))
-            light.gain[i] = scattered_gain(AIR_CONTENT(atmosphere).components[i].moments, towards);
-    return light;
-}
-
-// What the medium adds of it to the ray [1/(sr m)].
-INLINE vec3 diffuse_source(IN(Medium) medium, IN(DiffuseLight) light) {
-    vec3 sum = medium.scattering[0] * light.gain[0];
-    for (int i = 1; i < AIR_COMPONENTS; ++i) sum += medium.scattering[i] * light.gain[i];
-    return sum * power32(light.root);
-}
-
 // Radiance that the ground sends up [1/sr], under an irradiance.
 INLINE vec3 ground_radiance(IN(Atmosphere) atmosphere, vec3 irradiance) { return atmosphere.ground_albedo * irradiance / PI; }
 
@@ -128,17 +98,25 @@ INLINE vec3 scattered_light(IN(Atmosphere) atmosphere, sampler2D table, AirRay r
     AirLight light = no_air_light();
     float from = segment.begin;
     Medium edge = medium_at(atmosphere, altitude_at(ray, from));
-    for (int i = 0; i < n; ++i) {
-        MarchCell cell = march_cell_from(cells, from, i, n);
-        from = cell.end;
-        Medium next = medium_at(atmosphere, altitude_at(ray, cell.end));
-        CellMedium air = cell_medium(edge, medium_at(atmosphere, altitude_at(ray, cell.middle)), next);
-        edge = next;
-        float cell_length = cell.end - cell.begin;
-        AirPoint point = air_point_at(ray, cell.middle + air.centre * cell_length);
-        LightMoments around = sample_light_moments(table, atmosphere, point.altitude, point.mu_s);
-        DiffuseLight diffuse = diffuse_light(atmosphere, around, sunward_direction(point.mu, point.mu_s, ray.nu));
-        add_cell(light, diffuse_source(air.mean, diffuse), diffuse_extinction(atmosphere, air.mean), cell_length);
+    DiffuseRun run;
+    run.far = diffuse_node(table, atmosphere, ray, from);
+    for (int first = 0; first < n; first += RUN) {
+        int end = min(first + RUN, n);
+        float per_cell = 1.0f / float(end - first);
+        run.near = run.far;
+        run.middle = diffuse_node(table, atmosphere, ray, march_distance(cells, 0.5f * float(first + end) / float(n)));
+        run.far = diffuse_node(table, atmosphere, ray, march_distance(cells, float(end) / float(n)));
+        for (int i = first; i < end; ++i) {
+            MarchCell cell = march_cell_from(cells, from, i, n);
+            from = cell.end;
+            Medium next = medium_at(atmosphere, altitude_at(ray, cell.end));
+            CellMedium air = cell_medium(edge, medium_at(atmosphere, altitude_at(ray, cell.middle)), next);
+            edge = next;
+            DiffuseLight diffuse =
+                diffuse_light_in(atmosphere, run, (float(i - first) + 0.5f + air.centre) * per_cell);
+            vec3 source = diffuse_source(air.mean, diffuse);
+            add_cell(light, source, diffuse_extinction(atmosphere, air.mean), cell.end - cell.begin);
+        }
     }
     float mu_s = air_point_at(ray, segment.end).mu_s;
     vec3 irradiance = sample_diffuse_irradiance(table, atmosphere, 0.0f, mu_s, 1.0f, mu_s);

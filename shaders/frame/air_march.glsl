@@ -37,31 +37,6 @@ Span shaded_span(AirRay ray, vec3 light, float entry, float end) {
     return crossed(span, Span(0.0, end));
 }
 
-// Diffuse light changes slowly along a ray: a look into its six tiles at both ends and in the middle of a run of cells serves
-// them all, by a parabola between the 32nd roots, which follow an exponential nearly linearly.
-struct DiffuseRun {
-    DiffuseLight near, middle, far;
-};
-
-const int RUN = 8; // cells
-
-DiffuseLight diffuse_node(Atmosphere atmosphere, AirRay ray, float t) {
-    return sample_diffuse_light(multiple_scattering_table, atmosphere, air_point_at(ray, t), ray.nu);
-}
-
-vec3 on_parabola(vec3 near, vec3 middle, vec3 far, float share) {
-    return near * ((1.0 - share) * (1.0 - 2.0 * share)) + middle * (4.0 * share * (1.0 - share)) + far * (share * (2.0 * share - 1.0));
-}
-
-// At the share of the run's cells.
-DiffuseLight diffuse_light_in(Atmosphere atmosphere, DiffuseRun run, float share) {
-    DiffuseLight light = no_diffuse_light();
-    light.root = max(on_parabola(run.near.root, run.middle.root, run.far.root, share), vec3(0.0));
-    for (int i = 0; i < AIR_COMPONENTS; ++i)
-        if (component_scatters(atmosphere, i)) light.gain[i] = on_parabola(run.near.gain[i], run.middle.gain[i], run.far.gain[i], share);
-    return light;
-}
-
 // Adds the light of one cell. `middle` is its share of the run, `seen` the share of the sun's disc that no mesh hides; `edge` the
 // medium where the cell begins, and then where it ends.
 void add_air_cell(inout AirLight light, Atmosphere atmosphere, RayPhases phases, AirRay ray, MarchCell cell, DiffuseRun run,
@@ -71,7 +46,7 @@ void add_air_cell(inout AirLight light, Atmosphere atmosphere, RayPhases phases,
     edge = next;
     float cell_length = cell.end - cell.begin, t = cell.middle + air.centre * cell_length;
     vec3 sun = seen * sample_sun_transmittance_along(transmittance_table, atmosphere, altitude_at(ray, t), ray.sun_along + t * ray.nu);
-    DiffuseLight diffuse = diffuse_light_in(atmosphere, run, middle + air.centre * per_cell);
+    DiffuseLight diffuse = shaded_light(atmosphere, diffuse_light_in(atmosphere, run, middle + air.centre * per_cell), seen);
     vec3 extinction = diffuse_extinction(atmosphere, air.mean);
     if ((frame.flags & FRAME_MULTIPLE_SCATTERING) == 0) {
         diffuse = no_diffuse_light();
@@ -86,13 +61,13 @@ AirLight march_shaded(Atmosphere atmosphere, AirRay ray, RayPhases phases, vec3 
     float size = (span.end - span.begin) / float(max(n, 1));
     Medium edge = medium_at(atmosphere, altitude_at(ray, span.begin));
     DiffuseRun run;
-    run.far = diffuse_node(atmosphere, ray, span.begin);
+    run.far = diffuse_node(multiple_scattering_table, atmosphere, ray, span.begin);
     for (int first = 0; first < n; first += RUN) {
         int next = min(first + RUN, n);
         float per_cell = 1.0 / float(next - first);
         run.near = run.far;
-        run.middle = diffuse_node(atmosphere, ray, span.begin + 0.5 * float(first + next) * size);
-        run.far = diffuse_node(atmosphere, ray, span.begin + float(next) * size);
+        run.middle = diffuse_node(multiple_scattering_table, atmosphere, ray, span.begin + 0.5 * float(first + next) * size);
+        run.far = diffuse_node(multiple_scattering_table, atmosphere, ray, span.begin + float(next) * size);
         for (int i = first; i < next; ++i) {
             float begin = span.begin + float(i) * size;
             MarchCell cell = MarchCell(begin, begin + 0.5 * size, begin + size);
@@ -107,14 +82,14 @@ AirLight march_shaded(Atmosphere atmosphere, AirRay ray, RayPhases phases, vec3 
 void march_clear(inout AirLight result, Atmosphere atmosphere, AirRay ray, RayPhases phases, MarchCells cells, int n) {
     Medium edge = medium_at(atmosphere, altitude_at(ray, cells.begin));
     DiffuseRun run;
-    run.far = diffuse_node(atmosphere, ray, cells.begin);
+    run.far = diffuse_node(multiple_scattering_table, atmosphere, ray, cells.begin);
     float from = cells.begin;
     for (int first = 0; first < n; first += RUN) {
         int next = min(first + RUN, n);
         float per_cell = 1.0 / float(next - first);
         run.near = run.far;
-        run.middle = diffuse_node(atmosphere, ray, march_distance(cells, 0.5 * float(first + next) / float(n)));
-        run.far = diffuse_node(atmosphere, ray, march_distance(cells, float(next) / float(n)));
+        run.middle = diffuse_node(multiple_scattering_table, atmosphere, ray, march_distance(cells, 0.5 * float(first + next) / float(n)));
+        run.far = diffuse_node(multiple_scattering_table, atmosphere, ray, march_distance(cells, float(next) / float(n)));
         for (int i = first; i < next; ++i) {
             MarchCell cell = march_cell_from(cells, from, i, n);
             from = cell.end;
@@ -147,8 +122,9 @@ int cells_before(MarchCells first, MarchCells second, int n) {
     return clamp(share, first.end > first.begin ? 1 : 0, second.end > second.begin ? n - 1 : n);
 }
 
-// The segment's transmittance: from the table where that is well conditioned, from the march's own sum elsewhere.
-vec3 segment_transmittance(AirRay ray, float end, vec3 marched) {
+// Transmittance from the ray's origin out of the air, of light that is not scattered at all: the sun's disc is too narrow for what
+// goes nearly straight on. From the table where that is well conditioned, from the march's own sum elsewhere.
+vec3 celestial_transmittance(AirRay ray, float end, vec3 marched) {
     SegmentTransmittance table = sample_segment_transmittance(transmittance_table, frame.atmosphere, air_point_at(ray, 0.0), air_point_at(ray, end));
     return mix(marched, table.transmittance, table.trust);
 }
@@ -191,7 +167,7 @@ AirLight march_air(ivec2 pixel, AirRay from_camera, vec3 light, float distance) 
     MarchCells first = make_march_cells(atmosphere, ray, 0.0, shaded.begin), second = make_march_cells(atmosphere, ray, shaded.end, end);
     int before = rest > 0 ? cells_before(first, second, rest) : 0;
     AirLight result = march_around(atmosphere, ray, phases, first, before, between, second, rest - before);
-    result.transmittance = segment_transmittance(ray, end, result.transmittance);
+    if (distance < 0.0) result.transmittance = celestial_transmittance(ray, end, result.transmittance);
     return result;
 }
 

@@ -19,13 +19,20 @@ struct ViewRay {
 struct SurfaceLight {
     vec3 sun; // share of the direct sun that air and planet let through; meshes shade it elsewhere
     vec3 sky; // irradiance from everything else: the sky, and what level ground all around gives back
+    vec3 mirrored; // of that, radiance [1/sr] around the direction that the surface reflects from
+};
+
+// A surface's directions, by their cosines with the zenith and with the direction to the sun.
+struct SurfaceDirections {
+    float normal_up, normal_sun;
+    float mirror_up, mirror_sun; // middle of what its gloss reflects towards the camera
+    float alpha;                 // width of that: GGX
 };
 
 // What the air adds between the camera and the end of the ray, relative to the sun's irradiance above the air [1/sr], and
 // the share of what is behind that it lets through. The planet has air.
 AirLight air_light(ViewRay ray);
 
-// At a surface whose normal has the cosine `normal_up` with the zenith and `normal_sun` with the direction to the sun.
-SurfaceLight surface_light(AirPoint place, float normal_up, float normal_sun);
+SurfaceLight surface_light(AirPoint place, SurfaceDirections at);
 
 #endif

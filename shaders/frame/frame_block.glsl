@@ -1,4 +1,4 @@
-// What the pass knows of the frame. Included before anything that reads it, which the air's shaders do.
+// What a pass knows of the frame.
 #ifndef ALPENGLOW_FRAME_FRAME_BLOCK
 #define ALPENGLOW_FRAME_FRAME_BLOCK
 #include "interop/frame.h"

@@ -64,8 +64,8 @@ SHADER_NAMESPACE_END
 // Shapes of the tables, in texels.
 #define TRANSMITTANCE_WIDTH 512  // cosine of the zenith angle, dense at the horizon
 #define TRANSMITTANCE_HEIGHT 128 // altitude
-#define MULTIPLE_SCATTERING_WIDTH 64  // sun zenith
-#define MULTIPLE_SCATTERING_HEIGHT 32 // altitude; of each tile
+#define MULTIPLE_SCATTERING_WIDTH 48  // sun zenith
+#define MULTIPLE_SCATTERING_HEIGHT 24 // altitude; of each tile
 #define LIGHT_TILES 6                 // atmosphere/light_moments.glsl
 
 #endif

@@ -10,7 +10,6 @@
 #include "interop/frame.h"
 
 // Set 0
-#define GBUFFER_FRAME_SLOT 0
 // Set 1: the material
 #define MATERIAL_CONSTANTS_SLOT 0
 #define MATERIAL_BASE_COLOR_SLOT 1

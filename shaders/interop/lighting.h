@@ -3,7 +3,6 @@
 #define ALPENGLOW_INTEROP_LIGHTING_H
 #include "interop/frame.h"
 
-#define LIGHTING_FRAME_SLOT 0               // uniform buffer: FrameConstants
 #define LIGHTING_ALBEDO_SLOT 1              // in, the G-buffer: interop/gbuffer.h
 #define LIGHTING_NORMAL_SLOT 2
 #define LIGHTING_MATERIAL_SLOT 3
@@ -11,7 +10,8 @@
 #define LIGHTING_DEPTH_SLOT 5
 #define LIGHTING_SHADOW_SLOT 6              // in, cascades: depth array with comparison
 #define LIGHTING_LIT_SLOT 7                 // out, rgba32f: radiance, relative to the sun's irradiance
-#define LIGHTING_MODEL_SLOT 8               // in, this and the next: what the model of the air reads, interop/models/NAME.h
+#define LIGHTING_OPEN_SLOT 8                // in: share of the light from all round that reaches the surface
+#define LIGHTING_MODEL_SLOT 9               // in, this and the next: what the model of the air reads, interop/models/NAME.h
 
 // What the shader shows in place of the radiance.
 #define LIGHTING_RESULT 0

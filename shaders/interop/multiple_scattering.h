@@ -1,24 +1,18 @@
 // Passes `first_order` and `multiple_scattering`: the moments of the light around each node, after `transmittance`. A
 // workgroup a node, a thread a share of its directions. The second pass runs in rounds, an order of scattering each.
-// Tables: rgba32f, MULTIPLE_SCATTERING_WIDTH x 6 MULTIPLE_SCATTERING_HEIGHT, see atmosphere/light_moments.glsl.
+// Tables: rgba32f, the nodes' width x 6 times their height, see atmosphere/light_moments.glsl.
 #ifndef ALPENGLOW_INTEROP_MULTIPLE_SCATTERING_H
 #define ALPENGLOW_INTEROP_MULTIPLE_SCATTERING_H
 #include "interop/frame.h"
 
-#define FIRST_ORDER_FRAME_SLOT 0         // uniform buffer: FrameConstants
 #define FIRST_ORDER_TRANSMITTANCE_SLOT 1 // in, the transmittance table: linear filter, clamped to the edge
 #define FIRST_ORDER_TABLE_SLOT 2         // out, light scattered once
-#define FIRST_ORDER_START_SLOT 3         // out, the same: what the rounds start from
 
-#define MULTIPLE_SCATTERING_FRAME_SLOT 0       // uniform buffer: FrameConstants
-#define MULTIPLE_SCATTERING_FIRST_ORDER_SLOT 1 // in, light scattered once
-#define MULTIPLE_SCATTERING_BEFORE_SLOT 2      // in, all orders up to the last: linear filter, clamped to the edge
+#define MULTIPLE_SCATTERING_FIRST_ORDER_SLOT 1 // in, light scattered once, at the same nodes
+#define MULTIPLE_SCATTERING_BEFORE_SLOT 2      // in, orders up to the last, at any nodes: linear filter, clamped to the edge
 #define MULTIPLE_SCATTERING_TABLE_SLOT 3       // out, one order more; in, where it extrapolates: one order less
 
-SHADER_NAMESPACE_BEGIN
-struct MultipleScatteringPush {
-    int extrapolates; // adds the orders to come as a geometric series
-};
-SHADER_NAMESPACE_END
+// Mode: adds the orders to come as a geometric series; `before` is at the same nodes.
+#define MULTIPLE_SCATTERING_EXTRAPOLATES 1
 
 #endif

@@ -3,7 +3,6 @@
 #define ALPENGLOW_INTEROP_TRANSMITTANCE_H
 #include "interop/frame.h"
 
-#define TRANSMITTANCE_FRAME_SLOT 0 // uniform buffer: FrameConstants
 // Out, rgba32f, TRANSMITTANCE_WIDTH x TRANSMITTANCE_HEIGHT: rgb = 32nd root of optical depth.
 #define TRANSMITTANCE_TABLE_SLOT 1
 

@@ -10,8 +10,11 @@ layout(set = 0, binding = MARCH_MULTIPLE_SCATTERING_SLOT) uniform sampler2D mult
 
 AirLight air_light(ViewRay ray) { return march_air(ray.pixel, ray.air, ray.light, ray.distance); }
 
-SurfaceLight surface_light(AirPoint place, float normal_up, float normal_sun) {
+SurfaceLight surface_light(AirPoint place, SurfaceDirections at) {
     vec3 sun = sample_sun_transmittance(transmittance_table, frame.atmosphere, place.altitude, place.mu_s);
-    vec3 sky = sample_diffuse_irradiance(multiple_scattering_table, frame.atmosphere, place.altitude, place.mu_s, normal_up, normal_sun);
-    return SurfaceLight(sun, sky);
+    LightMoments around = sample_light_moments(multiple_scattering_table, frame.atmosphere, place.altitude, place.mu_s);
+    LightByDegree normal = light_by_degree(around, sunward_direction(at.normal_up, place.mu_s, at.normal_sun));
+    LightByDegree mirror = light_by_degree(around, sunward_direction(at.mirror_up, place.mu_s, at.mirror_sun));
+    vec3 mean = power32(around.root);
+    return SurfaceLight(sun, mean * irradiance_gain(normal), mean * lobe_gain(mirror, at.alpha));
 }

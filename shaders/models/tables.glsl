@@ -48,9 +48,10 @@ AirLight air_light(ViewRay ray) {
     return sample_aerial_perspective(aerial_table, reach, 0.5 + 0.5 * ndc, ray.distance);
 }
 
-SurfaceLight surface_light(AirPoint place, float normal_up, float normal_sun) {
+SurfaceLight surface_light(AirPoint place, SurfaceDirections at) {
     vec3 sky = sample_sky_light(sky_light_table, frame.atmosphere, place.altitude, place.mu_s);
     vec3 sun = sample_sun_transmittance(transmittance_table, frame.atmosphere, place.altitude, place.mu_s);
     vec3 ground = (sky + sun * max(place.mu_s, 0.0)) * frame.atmosphere.ground_albedo;
-    return SurfaceLight(sun, sky * (0.5 + 0.5 * normal_up) + ground * (0.5 - 0.5 * normal_up));
+    vec3 irradiance = sky * (0.5 + 0.5 * at.normal_up) + ground * (0.5 - 0.5 * at.normal_up);
+    return SurfaceLight(sun, irradiance, irradiance / PI);
 }

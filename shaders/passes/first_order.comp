@@ -1,13 +1,12 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
-#include "frame/frame_block.glsl"
-#include "frame/node_moments.glsl"
 #include "interop/multiple_scattering.h"
 
 layout(set = 0, binding = FIRST_ORDER_TRANSMITTANCE_SLOT) uniform sampler2D transmittance_table;
 layout(set = 0, binding = FIRST_ORDER_TABLE_SLOT, rgba32f) uniform writeonly image2D table;
-layout(set = 0, binding = FIRST_ORDER_START_SLOT, rgba32f) uniform writeonly image2D start;
+
+#include "frame/node_moments.glsl"
 
 void main() {
     Atmosphere atmosphere = frame.atmosphere;
@@ -20,10 +19,5 @@ void main() {
     }
     barrier();
     int channel = int(gl_LocalInvocationIndex);
-    if (channel > 2) return;
-    ChannelMoments moments = packed_moments(summed_moments(channel));
-    imageStore(table, tile_texel(2 * channel), moments.low);
-    imageStore(table, tile_texel(2 * channel + 1), moments.high);
-    imageStore(start, tile_texel(2 * channel), moments.low);
-    imageStore(start, tile_texel(2 * channel + 1), moments.high);
+    if (channel <= 2) store_moments(channel, summed_moments(channel));
 }

@@ -17,6 +17,7 @@ layout(set = 0, binding = LIGHTING_MATERIAL_SLOT) uniform sampler2D material_ima
 layout(set = 0, binding = LIGHTING_EMISSION_SLOT) uniform sampler2D emission_image;
 layout(set = 0, binding = LIGHTING_DEPTH_SLOT) uniform sampler2D depth_image;
 layout(set = 0, binding = LIGHTING_SHADOW_SLOT) uniform sampler2DArrayShadow shadow_cascades;
+layout(set = 0, binding = LIGHTING_OPEN_SLOT) uniform sampler2D open_image;
 layout(set = 0, binding = LIGHTING_LIT_SLOT, rgba32f) uniform writeonly image2D lit_image;
 layout(push_constant, scalar) uniform Push { LightingPush push; };
 
@@ -45,6 +46,14 @@ PixelRay pixel_ray(ivec2 pixel) {
     return ray;
 }
 
+float cosine(vec3 a, vec3 b) { return clamp(dot(a, b), -1.0, 1.0); }
+
+const float SHADED_SKY = 0.85; // share of the light from all round where the sun is hidden, and with it the bright sky around it: tuned against the path tracer
+
+// What is left of the light from all round where the share `open` of it comes in and the rest is hidden by surfaces like this one
+// in the same light, which reflect it on and on.
+vec3 open_share(Surface surface, float open) { return vec3(open) / (vec3(1.0) - surface.diffuse * (1.0 - open)); }
+
 // Light that leaves a surface towards the camera, for a unit of the sun's irradiance above the air, and the shadow on it.
 vec3 surface_radiance(ivec2 pixel, PixelRay ray, AirPoint place, vec3 light) {
     vec4 albedo = texelFetch(albedo_image, pixel, 0);
@@ -56,16 +65,19 @@ vec3 surface_radiance(ivec2 pixel, PixelRay ray, AirPoint place, vec3 light) {
 
     // Up at the surface: the camera's up moved along the ray.
     vec3 up = normalize(frame.camera_up * (frame.atmosphere.ground_radius + frame.camera_altitude) + ray.direction * ray.distance);
-    float normal_up = clamp(dot(shading, up), -1.0, 1.0);
+    float normal_up = cosine(shading, up);
     SurfaceLight lit;
     if (has_flag(FRAME_HAS_AIR)) {
-        lit = surface_light(place, normal_up, clamp(dot(shading, frame.to_sun), -1.0, 1.0));
+        vec3 mirror = mirror_direction(surface, shading, to_camera);
+        lit = surface_light(place, SurfaceDirections(normal_up, cosine(shading, frame.to_sun), cosine(mirror, up), cosine(mirror, frame.to_sun), surface.alpha));
     } else if (has_flag(FRAME_STUDIO)) {
         lit.sun = vec3(1.0);
         lit.sky = frame.fill;
+        lit.mirrored = frame.fill / PI;
     } else {
         lit.sun = vec3(sun_above_horizon(frame.atmosphere, place.altitude, place.mu_s));
         lit.sky = lit.sun * max(place.mu_s, 0.0) * frame.atmosphere.ground_albedo * (0.5 - 0.5 * normal_up);
+        lit.mirrored = lit.sky / PI;
     }
     float visibility = 1.0;
     if (has_flag(FRAME_SHADOWS)) {
@@ -75,7 +87,7 @@ vec3 surface_radiance(ivec2 pixel, PixelRay ray, AirPoint place, vec3 light) {
 
     float n_v = clamp(dot(shading, to_camera), 0.0, 1.0);
     vec3 radiance = reflect_light(surface, shading, to_camera, frame.to_sun) * lit.sun * visibility +
-                    reflect_ambient(surface, n_v) * (lit.sky * albedo.a);
+                    reflect_ambient(surface, n_v, lit.sky, lit.mirrored) * open_share(surface, albedo.a * texelFetch(open_image, pixel, 0).r) * mix(SHADED_SKY, 1.0, visibility);
     return radiance * frame.atmosphere.solar_irradiance + texelFetch(emission_image, pixel, 0).rgb;
 }
 

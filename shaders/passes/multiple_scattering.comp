@@ -1,14 +1,13 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
-#include "frame/frame_block.glsl"
-#include "frame/node_moments.glsl"
 #include "interop/multiple_scattering.h"
 
 layout(set = 0, binding = MULTIPLE_SCATTERING_FIRST_ORDER_SLOT) uniform sampler2D first_order_table;
 layout(set = 0, binding = MULTIPLE_SCATTERING_BEFORE_SLOT) uniform sampler2D before_table;
 layout(set = 0, binding = MULTIPLE_SCATTERING_TABLE_SLOT, rgba32f) uniform image2D table;
-layout(push_constant, scalar) uniform Push { MultipleScatteringPush push; };
+
+#include "frame/node_moments.glsl"
 
 ChannelMoments moments_of(sampler2D from, int channel) {
     return unpacked_moments(ChannelMoments(texelFetch(from, tile_texel(2 * channel), 0),
@@ -34,9 +33,7 @@ void main() {
     if (channel > 2) return;
     ChannelMoments once = moments_of(first_order_table, channel), again = summed_moments(channel);
     ChannelMoments sum = ChannelMoments(once.low + again.low, once.high + again.high);
-    if (push.extrapolates != 0)
+    if (push.mode == MULTIPLE_SCATTERING_EXTRAPOLATES)
         sum = extrapolated_moments(oldest_moments(channel), moments_of(before_table, channel), sum);
-    ChannelMoments moments = packed_moments(sum);
-    imageStore(table, tile_texel(2 * channel), moments.low);
-    imageStore(table, tile_texel(2 * channel + 1), moments.high);
+    store_moments(channel, sum);
 }

@@ -145,7 +145,7 @@ TEST(CommandLine, evaluate_takes_lists_of_views_and_known_models) {
     EXPECT_EQ(some.check, "c.md");
     EXPECT_EQ(some.overrides, (std::vector<Override>{{"samples", "64"}}));
     EXPECT_TRUE(some.json);
-    expect_refused("evaluate --model hillaire", "there is no model 'hillaire' (the models are: default)");
+    expect_refused("evaluate --model hillaire", "there is no model 'hillaire' (give all, or some of march|naive|tables)");
     expect_refused("evaluate --views", "--views");
 }
 

@@ -18,7 +18,7 @@ AirModel make_naive() {
     return {.name = "naive",
             .help = "single scattering, both integrals marched in each pixel, no tables",
             .lighting = shaders::lighting_naive_comp,
-            .add_tables = [](FrameGraph&, AirTableInputs const&) { return std::vector<Slot>{}; },
+            .lighting_slots = [](FrameGraph&, AirTableInputs const&) { return std::vector<Slot>{}; },
             .limits = limits};
 }
 

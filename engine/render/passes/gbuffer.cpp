@@ -55,7 +55,7 @@ GBuffer add_gbuffer(FrameGraph& graph, FrameInputs const& in, ConstantsId frame,
     pass.clear_colors = true;
     pass.depth = gbuffer.depth;
     pass.clear_depth = 0.0f;
-    pass.slots = {constants(GBUFFER_FRAME_SLOT, frame)};
+    pass.slots = {constants(FRAME_SLOT, frame)};
     pass.draw = [&in](DrawContext& context) {
         if (in.scene) draw_scene(context, in);
         if (!in.world.studio) draw_planet(context);

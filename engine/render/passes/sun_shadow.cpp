@@ -49,7 +49,7 @@ SunShadow add_sun_shadow(FrameGraph& graph, FrameInputs const& in, ConstantsId f
     auto const layers = any ? static_cast<std::uint32_t>(in.shadow.cascades.size()) : 1u;
     ImageId const cascades = graph.add_image("shadow", {VK_FORMAT_D32_SFLOAT, {side, side}, layers}, ShowScale::shadow);
     for (std::uint32_t layer = 0; layer < layers; ++layer) {
-        RasterPass pass{"sun_shadow",       {}, false, cascades, 1.0f, layer, {constants(GBUFFER_FRAME_SLOT, frame)},
+        RasterPass pass{"sun_shadow",       {}, false, cascades, 1.0f, layer, {constants(FRAME_SLOT, frame)},
                         [](DrawContext&) {}};
         if (any) pass.draw = [&in, layer](DrawContext& context) { draw_casters(context, in, layer); };
         graph.add(std::move(pass));

@@ -1,16 +1,19 @@
 #include "render/passes/transmittance.h"
 
+#include "interop/atmosphere.h"
 #include "interop/transmittance.h"
 
 #include <embedded_shaders.h>
 
 namespace alpenglow {
 
-void add_transmittance(FrameGraph& graph, ConstantsId frame, ImageId table) {
-    graph.add(ComputePass{"transmittance",
-                          shaders::transmittance_comp,
-                          {constants(TRANSMITTANCE_FRAME_SLOT, frame), stored(TRANSMITTANCE_TABLE_SLOT, table)},
-                          graph.shape(table).extent});
+AirTableStep transmittance_step(std::size_t table) {
+    constexpr std::uint32_t GROUPS = TRANSMITTANCE_WIDTH / WORKGROUP_SIZE * TRANSMITTANCE_HEIGHT / WORKGROUP_SIZE;
+    return {.pass = "transmittance",
+            .shader = shaders::transmittance_comp,
+            .groups = GROUPS,
+            .reads = {},
+            .makes = {table, TRANSMITTANCE_TABLE_SLOT}};
 }
 
 } // namespace alpenglow

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "render/frame_graph.h"
+#include "render/models/model.h"
 
 namespace alpenglow {
 
-/// Fills a table of optical depth to the top of the air, as shaders/atmosphere/transmittance.glsl reads it.
-void add_transmittance(FrameGraph& graph, ConstantsId frame, ImageId table);
+/// Makes a model's table of optical depth to the top of the air, as shaders/atmosphere/transmittance.glsl reads it.
+AirTableStep transmittance_step(std::size_t table);
 
 } // namespace alpenglow

@@ -20,7 +20,6 @@
 
 // The passes, a thread a texel, `aerial_perspective` a thread a column of slices. They all read the tables made before
 // them: linear filter, clamped to the edge.
-#define TABLE_FRAME_SLOT 0           // uniform buffer: FrameConstants
 #define TABLE_TRANSMITTANCE_SLOT 1   // in
 #define TABLE_ISOTROPIC_SLOT 2       // in; not read by the pass that makes it
 #define TABLE_RESULT_SLOT 3          // out, rgba32f
