@@ -11,7 +11,7 @@ namespace {
 // Sunlight alone: nothing goes straight on.
 Atmosphere sunlit_earth() {
     Atmosphere air = test::earth_air();
-    for (shader::AirComponent& component : air.components) component.moments.degree[0] = 1;
+    for (shader::AirComponent& component : air.content.components) component.moments.degree[0] = 1;
     return air;
 }
 Atmosphere const AIR = sunlit_earth();

@@ -29,7 +29,7 @@ Atmosphere lossless(Planet planet) {
 
 /// With the extinction of light that has been scattered before.
 Atmosphere delta_scaled(Atmosphere air) {
-    for (shader::AirComponent& component : air.components)
+    for (shader::AirComponent& component : air.content.components)
         component.extinction -= component.scattering * (1 - component.moments.degree[0]);
     return air;
 }
