@@ -47,7 +47,9 @@ TEST(AirTableSchedule, every_frame_keeps_to_its_share_and_all_groups_run_once_in
         EXPECT_LE(cost(slices), TABLES_SHARE * 50);
         for (StepSlice const& slice : slices) {
             EXPECT_EQ(slice.first, done[slice.step]);
-            if (slice.step > 0) EXPECT_EQ(done[slice.step - 1], STEPS[slice.step - 1].groups);
+            if (slice.step > 0) {
+                EXPECT_EQ(done[slice.step - 1], STEPS[slice.step - 1].groups);
+            }
             done[slice.step] += slice.count;
         }
         progress = advanced(STEPS, progress, slices);
