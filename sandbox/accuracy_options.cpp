@@ -1,7 +1,7 @@
 #include "core/error.h"
+#include "core/settings.h"
 #include "sandbox/arguments.h"
 #include "sandbox/command_options.h"
-#include "sandbox/models.h"
 #include "sandbox/option_kinds.h"
 
 namespace alpenglow {
@@ -16,12 +16,10 @@ void add_picture(CLI::App& app, std::string const& name, std::filesystem::path& 
 }
 
 void require_model(std::string const& name) {
-    std::string names;
-    for (Model const& model : MODELS) {
-        if (model.name == name) return;
-        names += (names.empty() ? "" : ", ") + std::string(model.name);
-    }
-    throw Error(ErrorKind::wrong_use, "--model: there is no model '" + name + "'", {}, "the models are: " + names);
+    SettingInfo const& info = *find_setting("model");
+    if (name == ALL_MODELS || in_range(info, name)) return;
+    throw Error(ErrorKind::wrong_use, "--model: there is no model '" + name + "'", {},
+                "give all, or some of " + range_text(info));
 }
 
 } // namespace
@@ -85,7 +83,7 @@ CLI::App& add_command(CLI::App& program, EvaluateOptions& options) {
             for (std::string const& name : given) require_model(name);
             options.models = given;
         },
-        "how the air is lit; all models unless given");
+        "models of the air, or all; all unless given");
     add_path(app, "--references", "DIR", options.references, "folder; assets/references unless given");
     app.add_flag("--json", options.json, "prints JSON");
     add_path(app, "--heatmaps", "DIR", options.heatmaps, "writes FLIP's heat maps there");

@@ -1,6 +1,7 @@
 #include "core/progress.h"
 #include "sandbox/bench_load.h"
 #include "sandbox/commands.h"
+#include "sandbox/cost_plot.h"
 #include "sandbox/frame_times.h"
 
 #include <fmt/format.h>
@@ -23,21 +24,30 @@ ViewTimes measure(Stage& stage, View const& view, BenchOptions const& options, P
     return {view.name, times, static_cast<double>(stage.device().peak_memory()) / (1 << 20)};
 }
 
+nlohmann::ordered_json passes_json(std::vector<std::pair<std::string, double>> const& passes) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+    for (auto const& [name, ms] : passes) json.push_back({{"name", name}, {"gpu_ms", ms}});
+    return json;
+}
+
 void print_json(Stage const& stage, Extent size, std::vector<ViewTimes> const& views) {
     nlohmann::ordered_json json{{"device", stage.device().name()},
                                 {"driver", stage.device().driver()},
                                 {"size", fmt::format("{}x{}", size.width, size.height)},
                                 {"views", nlohmann::ordered_json::array()}};
     for (ViewTimes const& view : views) {
-        nlohmann::ordered_json passes = nlohmann::ordered_json::array();
-        for (auto const& [name, ms] : view.times.passes) passes.push_back({{"name", name}, {"gpu_ms", ms}});
         json["views"].push_back({{"view", view.view},
                                  {"frame_ms", view.times.frame_ms},
                                  {"cpu_ms", view.times.cpu_ms},
                                  {"peak_mib", view.peak_mib},
-                                 {"passes", passes}});
+                                 {"passes", passes_json(view.times.passes)},
+                                 {"tables", passes_json(view.times.tables)}});
     }
     fmt::print("{}\n", json.dump(2));
+}
+
+void print_passes(std::vector<std::pair<std::string, double>> const& passes) {
+    for (auto const& [name, ms] : passes) fmt::print("  {:<22} {:9.3f} ms\n", name, ms);
 }
 
 void print_table(Stage const& stage, BenchOptions const& options, std::vector<ViewTimes> const& views) {
@@ -46,7 +56,12 @@ void print_table(Stage const& stage, BenchOptions const& options, std::vector<Vi
     for (ViewTimes const& view : views) {
         fmt::print("{}: {:.1f} ms a frame, {:.2f} ms of it on the CPU, device memory at most {:.0f} MiB\n", view.view,
                    view.times.frame_ms, view.times.cpu_ms, view.peak_mib);
-        for (auto const& [name, ms] : view.times.passes) fmt::print("  {:<22} {:9.3f} ms\n", name, ms);
+        print_passes(view.times.passes);
+        if (view.times.tables.empty()) continue;
+        double all = 0;
+        for (auto const& [name, ms] : view.times.tables) all += ms;
+        fmt::print("  when the air changes, tables made at once: {:.1f} ms\n", all);
+        print_passes(view.times.tables);
     }
 }
 
@@ -55,7 +70,7 @@ int bench_views(BenchOptions const& options) {
     for (std::filesystem::path const& file : options.views) views.push_back(load_view(file));
     Stage stage(options);
     std::size_t done = 0;
-    std::size_t const total = views.size() * static_cast<std::size_t>(WARM_UP_FRAMES + options.frames);
+    std::size_t const total = views.size() * static_cast<std::size_t>(WARM_UP_FRAMES + TABLE_FRAMES + options.frames);
     Progress progress("measuring", total);
     std::vector<ViewTimes> times;
     for (View const& view : views) times.push_back(measure(stage, stage.dressed(view), options, progress, done));
@@ -70,6 +85,11 @@ int bench_views(BenchOptions const& options) {
 
 } // namespace
 
-int bench(BenchOptions const& options) { return options.load ? bench_load(options) : bench_views(options); }
+int bench(BenchOptions const& options) {
+    if (options.load) return bench_load(options);
+    if (!options.plot) return bench_views(options);
+    plot_costs(options);
+    return 0;
+}
 
 } // namespace alpenglow

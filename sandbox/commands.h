@@ -68,12 +68,15 @@ struct StudioOptions : DrawOptions {
 };
 
 struct BenchOptions : DrawOptions {
-    std::vector<std::filesystem::path> views; ///< at least one, where `load` is not given
+    std::vector<std::filesystem::path> views; ///< at least one, but for `plot` and `load`
     /// glTF file whose loading is measured in place of views; an empty path: a scene that is made for it.
     std::optional<std::filesystem::path> load;
     Extent size{1280, 720};
     int frames = 10; ///< measured, after warm-up; rounds of `load`
     bool json = false;
+    /// SVG file for each model's error against its cost, measured in place of the passes; without views, in three of the
+    /// comparison's.
+    std::optional<std::filesystem::path> plot;
 };
 
 struct CompareOptions {
@@ -83,9 +86,12 @@ struct CompareOptions {
     bool json = false;
 };
 
+/// Every model of the air.
+inline constexpr std::string_view ALL_MODELS = "all";
+
 struct EvaluateOptions : DrawOptions {
     std::vector<std::filesystem::path> views;         ///< empty: all of assets/views/comparison
-    std::vector<std::string> models;                  ///< names of MODELS; empty: all
+    std::vector<std::string> models;                  ///< names, or ALL_MODELS; empty: all
     std::optional<std::filesystem::path> references;  ///< folder; assets/references unless given
     bool json = false;
     std::optional<std::filesystem::path> heatmaps; ///< folder

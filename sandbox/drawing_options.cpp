@@ -1,3 +1,4 @@
+#include "core/settings.h"
 #include "sandbox/arguments.h"
 #include "sandbox/command_options.h"
 #include "sandbox/option_kinds.h"
@@ -31,6 +32,12 @@ void add_draw_options(CLI::App& app, DrawOptions& options) {
         app, "--planet", "P", [&](std::string const& t) { options.planet = t; }, "name in assets/planets, or a file");
     add_placement(app, options.placement);
     add_overrides(app, options.overrides);
+    add_value(
+        app, "--model", "NAME",
+        [&](std::string const& t) {
+            options.overrides.push_back({"model", t});
+        },
+        "how the air is lit: " + range_text(*find_setting("model")));
     add_value(
         app, "--show", "NAME",
         [&](std::string const& t) {
@@ -116,6 +123,8 @@ CLI::App& add_command(CLI::App& program, BenchOptions& options) {
     add_size(app, options.size);
     add_frames(app, options.frames, "measured frames, or rounds of --load, after warm-up; 10 unless given");
     app.add_flag("--json", options.json, "prints JSON");
+    add_path(app, "--plot", "FILE.svg", options.plot,
+             "draws each model's error against its cost instead, in three comparison views unless some are given");
     add_draw_options(app, options);
     add_load(app, options.load);
     return app;

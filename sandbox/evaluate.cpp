@@ -5,10 +5,10 @@
 #include "image/codec.h"
 #include "image/color.h"
 #include "image/heat_map.h"
+#include "render/models/models.h"
 #include "sandbox/accuracy_document.h"
 #include "sandbox/commands.h"
 #include "sandbox/frame_times.h"
-#include "sandbox/models.h"
 #include "sandbox/published_figures.h"
 
 #include <algorithm>
@@ -52,9 +52,10 @@ std::vector<Case> load_cases(EvaluateOptions const& options, fs::path const& ref
 }
 
 std::vector<std::string> models_of(EvaluateOptions const& options) {
-    if (!options.models.empty()) return options.models;
+    if (!options.models.empty() && std::ranges::find(options.models, ALL_MODELS) == options.models.end())
+        return options.models;
     std::vector<std::string> names;
-    for (Model const& model : MODELS) names.emplace_back(model.name);
+    for (AirModel const& model : air_models()) names.emplace_back(model.name);
     return names;
 }
 
@@ -65,6 +66,7 @@ double time_view(Stage& stage, View view, Extent size) {
 
 Result evaluate_case(Stage& stage, Case const& given, std::string const& model) {
     View view = stage.dressed(given.view);
+    view.settings.model = model;
     ViewReference const& reference = given.reference;
     ViewError error = measure_error(stage, view, reference);
     double const frame_ms = time_view(stage, view, reference.radiance.extent);

@@ -7,10 +7,12 @@ namespace alpenglow {
 
 namespace {
 
-/// A window wants many pictures a second: edges are smoothed by the post filter, unless `--set aa=4` says otherwise.
+/// A window wants many pictures a second: edges are smoothed by the post filter, unless `--set aa=4` says otherwise, and no
+/// frame waits for tables.
 Flight for_a_window(Flight flight) {
     flight.base.settings.aa = 1;
     flight.base.settings.post_aa = "fxaa";
+    flight.base.settings.spread_tables = true;
     return flight;
 }
 

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/log.h"
 #include "gpu/swapchain.h"
+#include "render/models/models.h"
 #include "render/passes/overlay.h"
 #include "render/passes/present.h"
 #include "render/passes/show.h"
@@ -58,7 +59,7 @@ private:
     void finish(FrameGraph& graph, ImageId picture, GpuImage& target);
     void note_times();
     void note_exposure();
-    bool stands_still() const;
+    bool stands_still();
     void save();
     std::string message() const;
     KeyTarget target() { return {pilot_, screen_}; }
@@ -102,15 +103,16 @@ void WindowFlight::step() {
     mesh_ = panel_.finish(target(), report_, message());
     moving_ = view_text(pilot_.view()) != before;
     world_ = stage_.prepare(pilot_.view());
+    screen_.model_limits = model_limits(world_, pilot_.settings(), stage_.renderer().scene() != nullptr);
     if (std::exchange(screen_.save, false)) save();
     undrawn_ += dt;
     draw(choose_size());
 }
 
 /// Whether the next picture would be the last one again.
-bool WindowFlight::stands_still() const {
+bool WindowFlight::stands_still() {
     bool const adapting = std::abs(report_.exposure_target - report_.exposure) > ADAPTED;
-    return drawn_ == view_text(pilot_.view()) && !adapting;
+    return drawn_ == view_text(pilot_.view()) && !adapting && stage_.renderer().tables_finished();
 }
 
 bool WindowFlight::fit_window(WindowEvents const& events) {
@@ -198,9 +200,13 @@ void WindowFlight::finish(FrameGraph& graph, ImageId picture, GpuImage& target) 
 void WindowFlight::note_times() {
     double of_pixels = 0;
     bool whole = false;
+    std::vector<AirTableStep> const& steps = air_model(pilot_.settings().model).steps;
+    auto const makes_tables = [&](PassTime const& pass) {
+        return std::ranges::find(steps, pass.name, &AirTableStep::pass) != steps.end();
+    };
     for (PassTime const& pass : stage_.renderer().timings()) {
         whole = whole || pass.name == "lighting";
-        if (pass.name != "sun_shadow") of_pixels += pass.gpu_ms;
+        if (pass.name != "sun_shadow" && !makes_tables(pass)) of_pixels += pass.gpu_ms;
     }
     if (!whole) return;
     note_exposure();
@@ -219,7 +225,9 @@ void WindowFlight::note_exposure() {
 /// The picture in the window's full size, without the panel.
 void WindowFlight::save() {
     stage_.renderer().pass_time(0); // as it is seen
-    stage_.draw(pilot_.view(), world_, swapchain_.extent());
+    View finished = pilot_.view();
+    finished.settings.spread_tables = false;
+    stage_.draw(finished, world_, swapchain_.extent());
     try {
         message_ = "saved " + save_view(SAVED_VIEWS, pilot_.view(), stage_.renderer().picture()).string();
         log_info(message_);

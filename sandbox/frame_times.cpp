@@ -22,6 +22,12 @@ void note_passes(std::vector<PassSamples>& passes, std::vector<PassTime> const& 
     }
 }
 
+std::vector<std::pair<std::string, double>> medians(std::vector<PassSamples> const& passes) {
+    std::vector<std::pair<std::string, double>> result;
+    for (PassSamples const& pass : passes) result.emplace_back(pass.name, median(pass.gpu_ms));
+    return result;
+}
+
 double sum(std::vector<PassTime> const& times, double PassTime::*member) {
     double total = 0;
     for (PassTime const& time : times) total += time.*member;
@@ -33,23 +39,27 @@ double sum(std::vector<PassTime> const& times, double PassTime::*member) {
 FrameTimes time_frames(Stage& stage, View const& view, World const& world, Extent size, int frames,
                        std::function<void()> const& before_frame) {
     std::vector<double> frame, cpu;
-    std::vector<PassSamples> passes;
-    for (int i = 0; i < WARM_UP_FRAMES + frames; ++i) {
+    std::vector<PassSamples> passes, tables;
+    for (int i = 0; i < WARM_UP_FRAMES + TABLE_FRAMES + frames; ++i) {
         if (before_frame) before_frame();
+        bool const warm = i >= WARM_UP_FRAMES, makes_tables = warm && i < WARM_UP_FRAMES + TABLE_FRAMES;
+        if (makes_tables) stage.renderer().discard_air_tables();
         auto const start = std::chrono::steady_clock::now();
         stage.draw(view, world, size);
         stage.renderer().wait();
         double const elapsed =
             std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-        if (i < WARM_UP_FRAMES) continue;
         std::vector<PassTime> const& times = stage.renderer().timings();
+        if (makes_tables) note_passes(tables, times);
+        if (!warm || makes_tables) continue;
         frame.push_back(elapsed);
         cpu.push_back(sum(times, &PassTime::cpu_ms));
         note_passes(passes, times);
     }
-    FrameTimes result{median(frame), median(cpu)};
-    for (PassSamples const& pass : passes) result.passes.emplace_back(pass.name, median(pass.gpu_ms));
-    return result;
+    std::erase_if(tables, [&](PassSamples const& pass) {
+        return std::ranges::find(passes, pass.name, &PassSamples::name) != passes.end();
+    });
+    return {median(frame), median(cpu), medians(passes), medians(tables)};
 }
 
 } // namespace alpenglow

@@ -30,6 +30,15 @@ void cycle_images(KeyTarget& target, int direction) {
     shown = names[static_cast<std::size_t>((now % count + direction + count) % count)];
 }
 
+/// In the order in which the setting lists them.
+void cycle_models(KeyTarget& target, int direction) {
+    SettingInfo const& info = *find_setting("model");
+    std::vector<std::string> const names = choices_of(info);
+    auto const now = std::ranges::find(names, target.pilot.settings().model) - names.begin();
+    auto const count = static_cast<std::ptrdiff_t>(names.size());
+    target.pilot.settings().model = names[static_cast<std::size_t>((now + direction + count) % count)];
+}
+
 void show_cascades(KeyTarget& target, int, bool) {
     std::string& shown = target.pilot.settings().show;
     shown = shown == "cascades" ? "" : "cascades";
@@ -61,6 +70,8 @@ constexpr std::array ROWS = {
     KeyRow{"2", "light shafts on, off", '2', 0, [](KeyTarget& t, int, bool) { flip(t.pilot.settings().shafts); }},
     KeyRow{"3", "shadows on, off", '3', 0, [](KeyTarget& t, int, bool) { flip(t.pilot.settings().shadows); }},
     KeyRow{"4", "antialiasing filter on, off", '4', 0, flip_post_aa},
+    KeyRow{"M", "the next model of the air (Shift: the one before)", 'M', 0,
+           [](KeyTarget& t, int, bool shift) { cycle_models(t, shift ? -1 : 1); }},
     KeyRow{"C", "which cascade shades what", 'C', 0, show_cascades},
     KeyRow{"I O", "the next, the previous image of the frame", 'I', 'O',
            [](KeyTarget& t, int direction, bool) { cycle_images(t, direction); }},

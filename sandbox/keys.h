@@ -15,6 +15,7 @@ struct Screen {
     bool adapt_share = true;          ///< smaller pictures while they move, on slow devices
     bool save = false;                ///< the picture and its view, at the next chance
     std::vector<std::string> images;  ///< that can be shown in place of the result
+    std::string model_limits;         ///< what the model of the air leaves out here
 };
 
 struct KeyTarget {

@@ -82,6 +82,7 @@ void show_panel(KeyTarget target, PictureReport const& report) {
         edit_sun(target.pilot);
         ImGui::Separator();
         edit_settings(target.pilot.settings(), target.screen.images);
+        if (!target.screen.model_limits.empty()) ImGui::TextWrapped("%s", target.screen.model_limits.c_str());
         if (ImGui::CollapsingHeader("Time of each pass [ms]", ImGuiTreeNodeFlags_DefaultOpen))
             show_report(report, target.screen);
         ImGui::PopItemWidth();

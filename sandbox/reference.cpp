@@ -147,7 +147,7 @@ private:
     void restore() {
         std::vector<std::byte> const bytes = read_file(state_file(view_, options_));
         auto const* const text = reinterpret_cast<char const*>(bytes.data());
-        std::size_t const length = strnlen(text, bytes.size());
+        std::size_t const length = bytes.empty() ? 0 : strnlen(text, bytes.size());
         if (std::string_view(text, length) != recipe_) {
             throw Error(ErrorKind::bad_input, "was made for another view, size, seed, sun or number of orders",
                         state_file(view_, options_).string(), "leave --resume out to begin again");

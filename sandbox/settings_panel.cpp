@@ -9,16 +9,6 @@ namespace alpenglow {
 
 namespace {
 
-std::vector<std::string> split_choices(std::string_view choices) {
-    std::vector<std::string> result;
-    while (!choices.empty()) {
-        std::size_t const bar = std::min(choices.find('|'), choices.size());
-        result.emplace_back(choices.substr(0, bar));
-        choices.remove_prefix(std::min(bar + 1, choices.size()));
-    }
-    return result;
-}
-
 /// True where another one was chosen. An empty choice is shown as "the result".
 bool choose(char const* label, std::string& value, std::span<std::string const> choices) {
     auto const text = [](std::string const& choice) { return choice.empty() ? "the result" : choice.c_str(); };
@@ -41,7 +31,7 @@ struct Widget {
     bool edit(int& value) const {
         if (!info.choices.empty()) {
             std::string text = std::to_string(value);
-            bool const changed = choose(label, text, split_choices(info.choices));
+            bool const changed = choose(label, text, choices_of(info));
             value = std::stoi(text);
             return changed;
         }
@@ -63,7 +53,7 @@ struct Widget {
     }
 
     bool edit(std::string& value) const {
-        std::vector<std::string> choices = split_choices(info.choices);
+        std::vector<std::string> choices = choices_of(info);
         if (choices.empty()) {
             choices.emplace_back();
             choices.insert(choices.end(), images.begin(), images.end());

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/log.h"
+#include "render/models/models.h"
 #include "sandbox/scene_loading.h"
 
 #include <algorithm>
@@ -55,6 +56,8 @@ World Stage::prepare(View const& view) {
 
 void Stage::draw(View const& view, World const& world, Extent size, Renderer::Finish const& finish,
                  PresentSync const& sync) {
+    std::string const limits = model_limits(world, view.settings, renderer_.scene() != nullptr);
+    if (!limits.empty() && said_.insert(limits).second) log_warning(limits);
     try {
         renderer_.draw(world, view.settings, size, finish, sync);
     } catch (Error const& error) {

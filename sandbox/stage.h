@@ -6,6 +6,7 @@
 #include "scene/view.h"
 
 #include <memory>
+#include <set>
 
 namespace alpenglow {
 
@@ -22,7 +23,7 @@ public:
     View dressed(View view) const;
     /// Loads what the view needs, and gives the world to draw. Throws Error.
     World prepare(View const& view);
-    /// Draws the world as the view says. Throws Error; a view file that shows an image which does not exist is bad
+    /// Draws the world as the view says, and once in a line what the model of the air leaves out there. Throws Error; a view file that shows an image which does not exist is bad
     /// input.
     void draw(View const& view, World const& world, Extent size, Renderer::Finish const& finish = {},
               PresentSync const& sync = {});
@@ -48,6 +49,7 @@ private:
     std::vector<SceneCamera> cameras_; ///< of that scene
     bool follows_ground_ = false;
     std::optional<GroundQuery> ground_;
+    std::set<std::string> said_; ///< limits of models, each a line once
 };
 
 } // namespace alpenglow

@@ -19,12 +19,16 @@ constexpr double NO_LIMIT = std::numeric_limits<double>::infinity();
 
 constexpr std::array TABLE{
     SettingInfo{.name = "air", .member = &Settings::air, .help = "the air's in-scattered light and extinction"},
+    SettingInfo{.name = "model", .member = &Settings::model, .choices = "march|naive|tables",
+                .help = "how the air is lit: docs/adding_a_model.md"},
     SettingInfo{.name = "samples", .member = &Settings::samples, .smallest = 4, .largest = 1024,
                 .help = "march samples for each pixel"},
     SettingInfo{.name = "shafts", .member = &Settings::shafts,
                 .help = "light shafts: each march sample looks into the shadow cascades"},
     SettingInfo{.name = "multiple_scattering", .member = &Settings::multiple_scattering,
                 .help = "light that the air scatters more than once"},
+    SettingInfo{.name = "spread_tables", .member = &Settings::spread_tables,
+                .help = "spread the making of the air's tables over frames; off: a picture is of finished tables"},
     SettingInfo{.name = "march_dither", .member = &Settings::march_dither,
                 .help = "offset the march's samples from pixel to pixel, the same way in every picture"},
     SettingInfo{.name = "sun_disc", .member = &Settings::sun_disc, .help = "the sun's disc in the sky"},
@@ -36,6 +40,8 @@ constexpr std::array TABLE{
                 .unit = "texels", .help = "side of a shadow map"},
     SettingInfo{.name = "shadow_reach", .member = &Settings::shadow_reach, .smallest = 1e2, .largest = 1e7,
                 .unit = "m", .help = "distance at which shadows fade out"},
+    SettingInfo{.name = "ambient_occlusion", .member = &Settings::ambient_occlusion,
+                .help = "surfaces hide the sky from each other"},
     SettingInfo{.name = "exposure", .member = &Settings::exposure, .smallest = -32, .largest = 32, .unit = "stops",
                 .help = "displayed = curve(2^exposure * radiance)"},
     SettingInfo{.name = "auto_exposure", .member = &Settings::auto_exposure,
@@ -167,6 +173,16 @@ std::string range_text(SettingInfo const& info) {
     if (std::holds_alternative<std::string Settings::*>(info.member)) return "a text";
     if (info.smallest == -NO_LIMIT && info.largest == NO_LIMIT) return "a number" + unit;
     return fmt::format("{} to {}{}", info.smallest, info.largest, unit);
+}
+
+std::vector<std::string> choices_of(SettingInfo const& info) {
+    std::vector<std::string> result;
+    for (std::string_view rest = info.choices; !rest.empty();) {
+        std::size_t const bar = std::min(rest.find('|'), rest.size());
+        result.emplace_back(rest.substr(0, bar));
+        rest.remove_prefix(std::min(bar + 1, rest.size()));
+    }
+    return result;
 }
 
 bool in_range(SettingInfo const& info, SettingValue const& value) {

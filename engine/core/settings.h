@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 namespace alpenglow {
 
@@ -15,15 +16,18 @@ namespace alpenglow {
 struct Settings {
     // The air
     bool air = true;                 ///< the air's in-scattered light and extinction
+    std::string model = "march";     ///< how the air is lit: render/models
     int samples = 32;                ///< march samples for each pixel, 4 to 1024
     bool shafts = true;              ///< each march sample looks into the shadow cascades
     bool multiple_scattering = true; ///< light scattered more than once
+    bool spread_tables = false;      ///< over frames; else a picture is of finished tables
     bool march_dither = false;       ///< deterministic offset of the march's samples from pixel to pixel
     bool sun_disc = true;
     bool stars = true;
 
     // Shadows
     bool shadows = true;
+    bool ambient_occlusion = true;
     int cascades = 4;          ///< 1 to 4
     int cascade_size = 2048;   ///< texels along a side, 256 to 8192
     double shadow_reach = 1e5; ///< [m]
@@ -86,6 +90,8 @@ void set_setting(Settings& settings, std::string_view name, std::string_view val
 void set_setting(Settings& settings, SettingInfo const& info, SettingValue const& value);
 /// The values that a setting takes, in words: "on or off", "4 to 1024", "1|4|16".
 std::string range_text(SettingInfo const& info);
+/// The values of a setting that has choices, one by one.
+std::vector<std::string> choices_of(SettingInfo const& info);
 /// Whether a value of the setting's own type is one of those.
 bool in_range(SettingInfo const& info, SettingValue const& value);
 SettingValue get_setting(Settings const& settings, SettingInfo const& info);

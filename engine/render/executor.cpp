@@ -19,10 +19,20 @@ double milliseconds_since(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
+Extent workgroups(ComputePass const& pass) {
+    return {(pass.threads.width + WORKGROUP - 1) / WORKGROUP, (pass.threads.height + WORKGROUP - 1) / WORKGROUP};
+}
+
+std::uint64_t workgroups(FrameGraph::Pass const& pass) {
+    ComputePass const* const compute = std::get_if<ComputePass>(&pass.work);
+    return compute ? workgroups(*compute).pixels() : 0;
+}
+
 VkImageUsageFlags transient_usage(ImageShape const& shape) {
     VkImageUsageFlags const common = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
     if (shape.is_depth()) return common | VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
-    if (shape.format == VK_FORMAT_R32G32B32A32_SFLOAT) return common | VK_IMAGE_USAGE_STORAGE_BIT;
+    if (shape.format == VK_FORMAT_R32G32B32A32_SFLOAT || shape.format == VK_FORMAT_R32_SFLOAT)
+        return common | VK_IMAGE_USAGE_STORAGE_BIT;
     if (shape.format == VK_FORMAT_R8G8B8A8_UNORM)
         return common | VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
     return common | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
@@ -42,6 +52,19 @@ std::vector<SlotLayout> layout_of(std::vector<Slot> const& slots) {
     std::vector<SlotLayout> result;
     for (Slot const& slot : slots) result.push_back({slot.slot, slot.type});
     return result;
+}
+
+/// lavapipe runs a dispatch at once, but a timestamp behind raster passes only when it next waits for them: without a
+/// wait, a dispatch lies between two timestamps that are taken together.
+void settle_timestamp(VkCommandBuffer commands) {
+    VkMemoryBarrier2 barrier{};
+    barrier.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2;
+    barrier.srcStageMask = barrier.dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+    VkDependencyInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
+    info.memoryBarrierCount = 1;
+    info.pMemoryBarriers = &barrier;
+    vkCmdPipelineBarrier2(commands, &info);
 }
 
 } // namespace
@@ -125,9 +148,10 @@ void Executor::collect(InFlight& slot) {
     for (std::size_t i = 0; i < slot.passes.size(); ++i) {
         double const gpu_ms = static_cast<double>(stamps[2 * i + 1] - stamps[2 * i]) * ms_per_tick;
         auto entry = std::ranges::find(timings_, slot.passes[i].name, &PassTime::name);
-        if (entry == timings_.end()) entry = timings_.insert(timings_.end(), {slot.passes[i].name, 0, 0});
+        if (entry == timings_.end()) entry = timings_.insert(timings_.end(), {slot.passes[i].name});
         entry->gpu_ms += gpu_ms;
         entry->cpu_ms += slot.passes[i].cpu_ms;
+        entry->groups += slot.passes[i].groups;
     }
 }
 
@@ -204,10 +228,11 @@ void Executor::submit(FrameGraph const& graph, PresentSync const& sync) {
         record_barriers_of(recording, frame_plan.barriers[i]);
         std::uint32_t const query = 2 * static_cast<std::uint32_t>(i);
         vkCmdWriteTimestamp2(slot.commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, slot.queries, query);
+        if (device_.is_software()) settle_timestamp(slot.commands);
         std::visit([&](auto const& work) { record(recording, work); }, pass.work);
         vkCmdWriteTimestamp2(slot.commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, slot.queries, query + 1);
         device_.end_label(slot.commands);
-        slot.passes.push_back({pass.name, 0, milliseconds_since(start)});
+        slot.passes.push_back({pass.name, 0, milliseconds_since(start), workgroups(pass)});
     }
     if (graph.presented()) record_barriers_of(recording, frame_plan.barriers.back());
     for (std::size_t i = 0; i < recording.images.size(); ++i) recording.images[i]->state = frame_plan.after[i];
@@ -285,8 +310,8 @@ void Executor::record(Recording& recording, ComputePass const& pass) {
         vkCmdPushConstants(commands, pipeline.layout(), VK_SHADER_STAGE_COMPUTE_BIT, 0,
                            static_cast<std::uint32_t>(pass.push.size()), pass.push.data());
     }
-    vkCmdDispatch(commands, (pass.threads.width + WORKGROUP - 1) / WORKGROUP,
-                  (pass.threads.height + WORKGROUP - 1) / WORKGROUP, 1);
+    Extent const groups = workgroups(pass);
+    vkCmdDispatch(commands, groups.width, groups.height, 1);
 }
 
 class Executor::Draw final : public DrawContext {

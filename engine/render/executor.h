@@ -11,6 +11,7 @@ struct PassTime {
     std::string name;
     double gpu_ms = 0;
     double cpu_ms = 0; ///< recording its commands
+    std::uint64_t groups = 0; ///< workgroups of a compute pass
 };
 
 /// What a submit waits for and signals when a window is behind it.

@@ -2,6 +2,7 @@
 
 #include "render/passes/accumulate.h"
 #include "render/passes/air_tables.h"
+#include "render/passes/ambient_occlusion.h"
 #include "render/passes/display.h"
 #include "render/passes/exposure.h"
 #include "render/passes/gbuffer.h"
@@ -24,7 +25,8 @@ void build_frame(FrameGraph& graph, FrameInputs const& in) {
     for (int sample = 0; sample < in.settings.aa; ++sample) {
         if (sample > 0) frame = graph.add_constants(in.constants[static_cast<std::size_t>(sample)]);
         GBuffer const gbuffer = add_gbuffer(graph, in, frame, sample);
-        ImageId const lit = add_lighting(graph, in, frame, gbuffer, shadow, air, sample);
+        ImageId const open = add_ambient_occlusion(graph, in, frame, gbuffer, sample);
+        ImageId const lit = add_lighting(graph, in, frame, {gbuffer, open}, shadow, air, sample);
         if (sample == 0) add_exposure(graph, lit, exposure, in.settings, in.seconds);
         toned = add_accumulate(graph, lit, mean, exposure, in.settings, sample);
     }

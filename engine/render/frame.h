@@ -6,11 +6,18 @@
 #include "render/gpu_scene.h"
 #include "scene/view.h"
 
+#include <memory>
+#include <vector>
+
 namespace alpenglow {
 
-/// Tables of the air; they outlive the frame and are made anew when `stale`.
+struct AirModel;
+struct StepSlice;
+struct TwofoldTable;
+
+/// What the frame's model of the air gives the lighting pass to read.
 struct AirTables {
-    ImageId transmittance, multiple_scattering, sky_irradiance;
+    std::vector<Slot> slots;
 };
 
 struct SunShadow {
@@ -29,10 +36,9 @@ struct FrameInputs {
     GpuScene const* scene = nullptr;   ///< nullptr: the planet alone
     ShadowFit const& shadow;
     std::vector<shader::FrameConstants> const& constants; ///< one for each supersample
-    GpuImage& transmittance;
-    GpuImage& multiple_scattering;
-    GpuImage& sky_irradiance;
-    bool air_is_stale = true;
+    AirModel const& model;             ///< how the air is lit
+    std::vector<TwofoldTable> const& air_tables; ///< the model's, in its order
+    std::vector<StepSlice> const& table_slices;  ///< of the model's steps, that make them in this frame
     GpuImage& exposure;                ///< one texel: interop/exposure.h
     double seconds;                    ///< since the picture before, by which exposure adapts; ADAPTED_AT_ONCE
     GpuImage& mean;                    ///< radiance, the mean of the supersamples

@@ -1,6 +1,7 @@
 #include "render/frame_constants.h"
 
 #include "interop/display.h"
+#include "render/phase_moments.h"
 
 #include <algorithm>
 #include <array>
@@ -61,6 +62,7 @@ int flags_of(World const& world, Settings const& settings, bool cascades) {
     set(settings.sun_disc, FRAME_SUN_DISC);
     set(world.studio.has_value(), FRAME_STUDIO);
     set(settings.stars, FRAME_STARS);
+    set(settings.ambient_occlusion, FRAME_AMBIENT_OCCLUSION);
     set(world.planet.look == GroundLook::procedural, FRAME_PROCEDURAL_GROUND);
     return flags;
 }
@@ -105,6 +107,9 @@ shader::Atmosphere atmosphere_of(Planet const& planet) {
     a.ground_albedo = glm::vec3(planet.ground_albedo);
     a.solar_irradiance = glm::vec3(planet.solar_irradiance);
     a.sun_angular_radius = static_cast<float>(planet.sun_angular_radius);
+    a.phase_moments[RAYLEIGH_MOMENTS] = phase_moments([](double nu) { return rayleigh_phase(nu); });
+    a.phase_moments[AEROSOL_MOMENTS] =
+        phase_moments([g = air.aerosol_g](double nu) { return cornette_shanks_phase(nu, g); });
     return a;
 }
 

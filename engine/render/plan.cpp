@@ -55,7 +55,8 @@ void refuse_repeats(PlannedPass const& pass, std::span<PlannedImage const> image
         std::uint32_t const image = pass.accesses[i].image.index;
         if (image >= images.size()) throw GraphError("pass " + pass.name + " uses an image that nobody declared");
         for (std::size_t j = 0; j < i; ++j) {
-            if (pass.accesses[j].image.index == image)
+            bool const both_sample = pass.accesses[i].use == ImageUse::sample && pass.accesses[j].use == ImageUse::sample;
+            if (pass.accesses[j].image.index == image && !both_sample)
                 throw GraphError("pass " + pass.name + " uses " + images[image].name + " twice");
         }
     }

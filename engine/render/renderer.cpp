@@ -2,6 +2,7 @@
 
 #include "gpu/transfer.h"
 #include "render/frame_constants.h"
+#include "render/models/models.h"
 #include "render/passes/exposure.h"
 
 #include <cstring>
@@ -29,11 +30,7 @@ std::vector<shader::FrameConstants> supersample_constants(World const& world, Se
 } // namespace
 
 Renderer::Renderer(Device const& device, std::uint32_t frames_in_flight)
-    : device_(device), executor_(device, frames_in_flight),
-      transmittance_(device, table_shape(TRANSMITTANCE_WIDTH, TRANSMITTANCE_HEIGHT), KEPT, "transmittance"),
-      multiple_scattering_(device, table_shape(MULTIPLE_SCATTERING_WIDTH, MULTIPLE_SCATTERING_HEIGHT), KEPT,
-                           "multiple_scattering"),
-      sky_irradiance_(device, table_shape(SKY_IRRADIANCE_WIDTH, SKY_IRRADIANCE_HEIGHT), KEPT, "sky_irradiance"),
+    : device_(device), executor_(device, frames_in_flight), air_tables_(device),
       exposure_(device, table_shape(1, 1), KEPT | VK_IMAGE_USAGE_TRANSFER_DST_BIT, "exposure"),
       seconds_(ADAPTED_AT_ONCE) {
     upload(device, exposure_, bytes_of(shader::ExposureState{1, 0, 0, 0}));
@@ -53,13 +50,6 @@ void Renderer::size_pictures(Extent extent) {
     picture_ = std::make_unique<GpuImage>(device_, ImageShape{VK_FORMAT_R8G8B8A8_UNORM, extent}, KEPT, "picture");
 }
 
-bool Renderer::air_changed(Planet const& planet) {
-    shader::Atmosphere const air = atmosphere_of(planet);
-    if (table_air_ && std::memcmp(&*table_air_, &air, sizeof air) == 0) return false;
-    table_air_ = air;
-    return true;
-}
-
 void Renderer::draw(World const& world, Settings const& settings, Extent extent) {
     draw(world, settings, extent, {}, {});
 }
@@ -74,17 +64,20 @@ void Renderer::draw(World const& world, Settings const& settings, Extent extent,
     }
     double const ceiling = scene_ ? scene_->highest_altitude() : 0.0;
     auto const constants = supersample_constants(world, settings, extent, shadow, ceiling);
-    FrameInputs const inputs{world,           settings,
-                             extent,          scene_.get(),
-                             shadow,          constants,
-                             transmittance_,  multiple_scattering_,
-                             sky_irradiance_, air_changed(world.planet),
-                             exposure_,       std::exchange(seconds_, ADAPTED_AT_ONCE),
-                             *mean_,          *picture_};
+    AirModel const& model = air_model(settings.model);
+    AirTableStore::Kept& tables = air_tables_.of(model);
+    shader::Atmosphere const& air = constants.front().atmosphere;
+    table_pace_.note(executor_.timings(), model.steps);
+    TableWork const work = table_work(tables, air, world.planet.name, settings.spread_tables, table_pace_);
+    double const seconds = std::exchange(seconds_, ADAPTED_AT_ONCE);
+    FrameInputs const inputs{world,         settings,    extent,    scene_.get(), shadow, constants, model,
+                             tables.tables, work.slices, exposure_, seconds,      *mean_, *picture_};
     FrameGraph graph;
     build_frame(graph, inputs);
     if (finish) finish(graph, graph.find("picture"));
     executor_.submit(graph, sync);
+    finish_work(tables, air, world.planet.name, work);
+    tables_finished_ = tables.finished();
 }
 
 void Renderer::finish_again(Finish const& finish, PresentSync const& sync) {
@@ -117,11 +110,8 @@ shader::ExposureState Renderer::exposure() {
 }
 
 GpuImage* Renderer::kept_image(std::string const& name) {
-    if (name == "transmittance") return &transmittance_;
-    if (name == "multiple_scattering") return &multiple_scattering_;
-    if (name == "sky_irradiance") return &sky_irradiance_;
     if (name == "radiance") return mean_.get();
-    return name == "picture" ? picture_.get() : nullptr;
+    return name == "picture" ? picture_.get() : air_tables_.find(name);
 }
 
 std::vector<std::byte> Renderer::image_bytes(std::string const& name) {

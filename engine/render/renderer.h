@@ -2,12 +2,12 @@
 
 #include "image/image.h"
 #include "interop/exposure.h"
+#include "render/air_table_store.h"
 #include "render/executor.h"
 #include "render/frame.h"
 
 #include <functional>
 #include <memory>
-#include <optional>
 
 namespace alpenglow {
 
@@ -22,7 +22,7 @@ public:
     GpuScene const* scene() const { return scene_.get(); }
 
     /// Draws and submits a frame; `picture` and `radiance` wait for it. Tables of the air are made anew when the air
-    /// has changed.
+    /// has changed: at once, or over several frames where the setting `spread_tables` says so.
     void draw(World const& world, Settings const& settings, Extent extent);
     /// As `draw`, then lets `finish` add passes behind the picture, such as the panel and the swapchain's image.
     using Finish = std::function<void(FrameGraph&, ImageId picture)>;
@@ -31,6 +31,10 @@ public:
     /// Runs `finish` behind the last picture, which is not drawn anew. There must be one.
     void finish_again(Finish const& finish, PresentSync const& sync);
     void wait() { executor_.wait(); }
+    /// The next frame makes the tables of its model of the air anew, at once; for measuring.
+    void discard_air_tables() { air_tables_.discard(); }
+    /// Whether the last picture was of finished tables; another frame goes on with them.
+    bool tables_finished() const { return tables_finished_; }
 
     /// Lets the next picture's automatic exposure go on from that of the picture before, `seconds` ago. A picture before
     /// which nobody says so is adapted at once.
@@ -47,15 +51,16 @@ public:
 private:
     GpuImage* kept_image(std::string const& name);
     void size_pictures(Extent extent);
-    bool air_changed(Planet const& planet);
 
     Device const& device_;
     Executor executor_;
     std::unique_ptr<GpuScene> scene_;
-    GpuImage transmittance_, multiple_scattering_, sky_irradiance_, exposure_;
+    AirTableStore air_tables_;
+    TablePace table_pace_;
+    bool tables_finished_ = true;
+    GpuImage exposure_;
     std::unique_ptr<GpuImage> mean_, picture_;
     double seconds_; ///< since the picture before
-    std::optional<shader::Atmosphere> table_air_; ///< what the tables were made for
 };
 
 } // namespace alpenglow

@@ -1,17 +1,22 @@
-// Where to put the samples of a ray: cells even in sqrt(1 - exp(-(h - h_p) / H)), signed, on both sides of the ray's
-// closest approach at altitude h_p. That is even in distance near the closest approach and even in exp(-h / H) far
-// from it. Written from the segment's lowest point, in sums of terms of one sign, so that it is as accurate for
-// centimetres as for the whole limb, for vertical rays as for horizontal ones.
+// Where to put the samples of a ray. Cells are even in d = sqrt(k² + (1 - k²) p) - k, signed, on both sides of the
+// segment's lowest point, with p = 1 - exp(-x / H) of the height x above it. Where the ray passes its closest approach to
+// the planet k is 0: even in distance there, and in exp(-x / H) far from it. Elsewhere k grows with the slope; with k =
+// sqrt(1 - exp(-(lowest altitude - closest altitude) / H)) it would be the same measure cut off, and would leave one cell
+// to the two kilometres that hold the aerosol of a steep ray. A quarter of that gives them four.
+// Written in sums of terms of one sign, so that it is as accurate for centimetres as for the whole limb, for vertical
+// rays as for horizontal ones.
+// RMS error of light scattered once, over its mean, in pictures from the ground, 10 km and 400 km with the sun at 17, 1
+// and -3 degrees: at most 0.94 % with 16 samples and 0.44 % with 30 (with H = 40 km and the whole of k 5.1 % and 1.5 %).
 #ifndef ALPENGLOW_ATMOSPHERE_MARCH_SAMPLES_GLSL
 #define ALPENGLOW_ATMOSPHERE_MARCH_SAMPLES_GLSL
 #include "atmosphere/geometry.glsl"
 SHADER_NAMESPACE_BEGIN
 
-// H over the top altitude: 40 km on Earth. 30 to 50 km do as well; 8 and 16 km fail in twilight.
-CONSTANT float QUANTILE_HEIGHT = 0.4f;
+CONSTANT float QUANTILE_HEIGHT = 0.3f; // H over the top altitude; 0.2 starves twilight, 0.4 low suns
+CONSTANT float OFFSET_SHARE = 0.25f;    // of the whole k
+CONSTANT float CENTRE_SHARE = 0.5f;     // how far from the middle of its measure to its centre a cell is evaluated
 
-// The cells of a segment. With x = h - lowest altitude, p = 1 - exp(-x / H) and k = `offset`, the measure of a point is
-// d = sqrt(k² + (1 - k²) p) - k over 1 - k², negative before the lowest point.
+// The cells of a segment. The measure of a point is d over 1 - k², negative before the lowest point.
 struct MarchCells {
     float begin;         // distance from the ray's origin [m]
     float end;           // [m]
@@ -19,7 +24,7 @@ struct MarchCells {
     float lowest_radius; // its distance from the planet's centre [m]
     float lowest_along;  // its distance from the closest approach [m], 0 where that lies inside the segment
     float height;        // H [m]
-    float offset;        // k: sqrt(1 - exp(-(lowest altitude - h_p) / H))
+    float offset;        // k
     float measure_begin; // d at both ends; d grows along the ray
     float measure_end;
 };
@@ -61,7 +66,7 @@ INLINE MarchCells make_march_cells(Atmosphere atmosphere, AirRay ray, float begi
     float r2 = cells.lowest_radius * cells.lowest_radius;
     float along2 = cells.lowest_along * cells.lowest_along;
     float above_closest = along2 / (cells.lowest_radius + sqrt(r2 - along2));
-    cells.offset = sqrt(one_minus_exp(above_closest / cells.height));
+    cells.offset = OFFSET_SHARE * sqrt(one_minus_exp(above_closest / cells.height));
     cells.measure_begin = -measure_from_travel(cells, cells.lowest - begin);
     cells.measure_end = measure_from_travel(cells, end - cells.lowest);
     return cells;
@@ -78,8 +83,9 @@ INLINE float march_distance(MarchCells cells, float u) {
 // The i-th of n cells, for a loop that knows where the one before ended. Neighbours share their edge to the bit, so
 // that the lengths add up to the segment's.
 INLINE MarchCell march_cell_from(MarchCells cells, float from, int i, int n) {
-    return MarchCell(from, march_distance(cells, (float(i) + 0.5f) / float(n)),
-                     march_distance(cells, float(i + 1) / float(n)));
+    float to = march_distance(cells, float(i + 1) / float(n));
+    float middle = march_distance(cells, (float(i) + 0.5f) / float(n));
+    return MarchCell(from, clamp(mix(middle, 0.5f * (from + to), CENTRE_SHARE), from, to), to);
 }
 
 // The i-th of n cells.

@@ -1,92 +1,152 @@
-// Light scattered more than once, from a table by altitude and sun: Hillaire 2020, as Sakmary tells it in 2.6.
-// Every order from the second on is taken as isotropic, and the light around a point as the light at the point; then
-// the orders are a geometric series. Psi is the mean radiance over all directions [1/sr per unit of solar irradiance
-// above the air]: the source of orders >= 2 is (Rayleigh scattering + aerosol scattering) · Psi · solar irradiance.
-// Table: MULTIPLE_SCATTERING_WIDTH x MULTIPLE_SCATTERING_HEIGHT, rgb = 32nd root of Psi; between two nodes of twilight Psi falls by powers of ten.
+// All orders of scattering, as the moments of the light around each node of a table by altitude and sun
+// (light_moments.glsl). The table is the fixed point of light <- first order + gather(what this light scatters): each
+// round carries the light one order further. Everything is per unit of solar irradiance above the air.
+// The share f of a phase's light goes straight on as if it weren't scattered: the extinction is less by f times the
+// scattering (delta scaling: Joseph, Wiscombe and Weinman 1976).
 #ifndef ALPENGLOW_ATMOSPHERE_MULTIPLE_SCATTERING_GLSL
 #define ALPENGLOW_ATMOSPHERE_MULTIPLE_SCATTERING_GLSL
+#include "atmosphere/diffuse_run.glsl"
 #include "atmosphere/phase.glsl"
 #include "atmosphere/segment_integral.glsl"
-#include "atmosphere/sun_mapping.glsl"
 #include "atmosphere/transmittance.glsl"
 SHADER_NAMESPACE_BEGIN
 
-CONSTANT int MULTIPLE_SCATTERING_DIRECTIONS = 64;
-CONSTANT int MULTIPLE_SCATTERING_CELLS = 20;
-
-// Direction i of n, spread evenly over the sphere along a spiral (Sakmary's Eq. 4.1 with its angles set right):
-// z up, x towards the sun's azimuth.
-INLINE vec3 spiral_direction(int i, int n) {
-    float z = 1.0f - (2.0f * float(i) + 1.0f) / float(n);
-    float side = sqrt(max(1.0f - z * z, 0.0f));
-    float azimuth = GOLDEN_ANGLE * float(i);
-    return vec3(side * cos(azimuth), side * sin(azimuth), z);
-}
-
-// Radiance that sunlit ground sends to the air above, per unit of solar irradiance [1/sr]. The sky's share is left out.
-INLINE vec3 sunlit_ground(sampler2D transmittance_table, Atmosphere atmosphere, float mu_s) {
-    return atmosphere.ground_albedo * sample_sun_transmittance(transmittance_table, atmosphere, 0.0f, mu_s) *
-           (max(mu_s, 0.0f) / PI);
-}
-
-// One direction's share of the sums: light of the first order and from the ground, and light of a unit of radiance
-// around.
-struct OrderTransfer {
-    vec3 first;  // [1/sr per unit of solar irradiance]
-    vec3 around; // 0 to 1
+// Directions in which a node looks: panels of four zeniths above the horizon and below it, azimuths over half a turn.
+struct GatherRays {
+    int above;
+    int below;
+    int azimuths;
+    int cells; // of the march
 };
 
-INLINE OrderTransfer gather_orders(Atmosphere atmosphere, sampler2D transmittance_table, AirRay ray) {
+CONSTANT GatherRays FIRST_ORDER_RAYS = GatherRays(4, 2, 12, 24);
+CONSTANT GatherRays HIGHER_ORDER_RAYS = GatherRays(3, 2, 6, 16);
+
+INLINE int gather_count(GatherRays rays) { return 4 * (rays.above + rays.below) * rays.azimuths; }
+
+struct GatherDirection {
+    float mu;
+    SunwardDirection sunward;
+    float weight; // share of all directions
+};
+
+// Direction i. Zeniths are nodes of Gauss and Legendre in the cube root of the distance to the horizon, where the light
+// changes fastest: from 30 km it has a limb of a degree.
+INLINE GatherDirection gather_direction(Atmosphere atmosphere, GatherRays rays, float h, float mu_s, int i) {
+    int zenith = i / rays.azimuths;
+    bool above = zenith < 4 * rays.above;
+    int panels = above ? rays.above : rays.below;
+    int place = above ? zenith : zenith - 4 * rays.above;
+    bool outer = place % 4 == 0 || place % 4 == 3;
+    float offset = outer ? 0.861136312f : 0.339981044f;
+    float u = (float(place / 4) + 0.5f + (place % 4 < 2 ? -0.5f : 0.5f) * offset) / float(panels);
+    float share = (outer ? 0.173927423f : 0.326072577f) / float(panels);
+    float horizon = horizon_mu(atmosphere.ground_radius, h);
+    float reach = above ? 1.0f - horizon : -1.0f - horizon;
+    float mu = clamp(horizon + reach * u * u * u, -1.0f, 1.0f);
+    float azimuth = PI * (float(i % rays.azimuths) + 0.5f) / float(rays.azimuths);
+    float sin_sun = sqrt(max(1.0f - mu_s * mu_s, 0.0f));
+    float level = sqrt(max(1.0f - mu * mu, 0.0f)) * cos(azimuth);
+    SunwardDirection sunward =
+        SunwardDirection(clamp(mu * mu_s + level * sin_sun, -1.0f, 1.0f), mu * sin_sun - level * mu_s);
+    return GatherDirection(mu, sunward, 1.5f * abs(reach) * u * u * share / float(rays.azimuths));
+}
+
+// Extinction [1/m] of light that has been scattered.
+INLINE vec3 diffuse_extinction(Atmosphere atmosphere, Medium medium) {
+    return medium.extinction -
+           medium.rayleigh_scattering * (1.0f - atmosphere.phase_moments[RAYLEIGH_MOMENTS].degree[0]) -
+           medium.aerosol_scattering * (1.0f - atmosphere.phase_moments[AEROSOL_MOMENTS].degree[0]);
+}
+
+// Radiance that the ground sends up [1/sr], under an irradiance.
+INLINE vec3 ground_radiance(Atmosphere atmosphere, vec3 irradiance) { return atmosphere.ground_albedo * irradiance / PI; }
+
+// Radiance of the first order that a ray inside the air brings to its origin [1/sr]: sunlight that the air or the ground
+// has scattered once.
+INLINE vec3 first_order_light(Atmosphere atmosphere, sampler2D transmittance_table, AirRay ray, int n) {
     AirSegment segment = air_segment(atmosphere, ray);
     MarchCells cells = make_march_cells(atmosphere, ray, segment.begin, segment.end);
-    OrderTransfer sum = OrderTransfer(vec3(0.0f), vec3(0.0f));
-    vec3 transmittance = vec3(1.0f);
+    float rayleigh = rayleigh_phase(ray.nu);
+    float aerosol = cornette_shanks_phase(ray.nu, atmosphere.aerosol_g);
+    AirLight light = no_air_light();
     float from = segment.begin;
-    for (int i = 0; i < MULTIPLE_SCATTERING_CELLS; ++i) {
-        MarchCell cell = march_cell_from(cells, from, i, MULTIPLE_SCATTERING_CELLS);
+    Medium edge = medium_at(atmosphere, altitude_at(ray, from));
+    for (int i = 0; i < n; ++i) {
+        MarchCell cell = march_cell_from(cells, from, i, n);
         from = cell.end;
-        AirPoint point = air_point_at(ray, cell.middle);
-        Medium medium = medium_at(atmosphere, point.altitude);
+        Medium next = medium_at(atmosphere, altitude_at(ray, cell.end));
+        CellMedium air = cell_medium(edge, medium_at(atmosphere, altitude_at(ray, cell.middle)), next);
+        edge = next;
         float cell_length = cell.end - cell.begin;
-        vec3 scattering = medium.rayleigh_scattering + medium.aerosol_scattering;
-        vec3 seen = transmittance * integrate_segment(scattering, medium.extinction, cell_length);
+        AirPoint point = air_point_at(ray, cell.middle + air.centre * cell_length);
         vec3 sun = sample_sun_transmittance(transmittance_table, atmosphere, point.altitude, point.mu_s);
-        sum.first += seen * sun * ISOTROPIC_PHASE;
-        sum.around += seen;
-        transmittance *= exp(-medium.extinction * cell_length);
+        vec3 source = sun * (air.mean.rayleigh_scattering * rayleigh + air.mean.aerosol_scattering * aerosol);
+        add_cell(light, source, diffuse_extinction(atmosphere, air.mean), cell_length);
     }
     AirPoint last = air_point_at(ray, segment.end);
-    vec3 ground = sunlit_ground(transmittance_table, atmosphere, last.mu_s);
-    sum.first += transmittance * ground * vec3(segment.hits_ground ? 1.0f : 0.0f);
-    return sum;
+    vec3 sun = sample_sun_transmittance(transmittance_table, atmosphere, 0.0f, last.mu_s) * max(last.mu_s, 0.0f);
+    vec3 ground = ground_radiance(atmosphere, sun);
+    return behind_air(light, ground * vec3(segment.hits_ground ? 1.0f : 0.0f));
 }
 
-// Psi at altitude h [m] under a sun at mu_s, by integration.
-INLINE vec3 compute_multiple_scattering(Atmosphere atmosphere, sampler2D transmittance_table, float h, float mu_s) {
-    float sin_sun = sqrt(max(1.0f - mu_s * mu_s, 0.0f));
-    vec3 second = vec3(0.0f);
-    vec3 again = vec3(0.0f);
-    for (int i = 0; i < MULTIPLE_SCATTERING_DIRECTIONS; ++i) {
-        vec3 direction = spiral_direction(i, MULTIPLE_SCATTERING_DIRECTIONS);
-        float nu = clamp(direction.z * mu_s + direction.x * sin_sun, -1.0f, 1.0f);
-        AirRay ray = make_air_ray(atmosphere.ground_radius, h, direction.z, mu_s, nu);
-        OrderTransfer transfer = gather_orders(atmosphere, transmittance_table, ray);
-        second += transfer.first;
-        again += transfer.around;
+// Radiance that a ray inside the air brings to its origin [1/sr], of the light in the table scattered once more.
+INLINE vec3 scattered_light(Atmosphere atmosphere, sampler2D table, AirRay ray, int n) {
+    AirSegment segment = air_segment(atmosphere, ray);
+    MarchCells cells = make_march_cells(atmosphere, ray, segment.begin, segment.end);
+    AirLight light = no_air_light();
+    float from = segment.begin;
+    Medium edge = medium_at(atmosphere, altitude_at(ray, from));
+    DiffuseRun run;
+    run.far = diffuse_node(table, atmosphere, ray, from);
+    for (int first = 0; first < n; first += RUN) {
+        int end = min(first + RUN, n);
+        float per_cell = 1.0f / float(end - first);
+        run.near = run.far;
+        run.middle = diffuse_node(table, atmosphere, ray, march_distance(cells, 0.5f * float(first + end) / float(n)));
+        run.far = diffuse_node(table, atmosphere, ray, march_distance(cells, float(end) / float(n)));
+        for (int i = first; i < end; ++i) {
+            MarchCell cell = march_cell_from(cells, from, i, n);
+            from = cell.end;
+            Medium next = medium_at(atmosphere, altitude_at(ray, cell.end));
+            CellMedium air = cell_medium(edge, medium_at(atmosphere, altitude_at(ray, cell.middle)), next);
+            edge = next;
+            DiffuseLight diffuse = diffuse_light_in(run, (float(i - first) + 0.5f + air.centre) * per_cell);
+            vec3 source = air.mean.rayleigh_scattering * diffuse.rayleigh + air.mean.aerosol_scattering * diffuse.aerosol;
+            add_cell(light, source, diffuse_extinction(atmosphere, air.mean), cell.end - cell.begin);
+        }
     }
-    vec3 share = vec3(1.0f / float(MULTIPLE_SCATTERING_DIRECTIONS));
-    return second * share / max(vec3(1.0f) - again * share, vec3(1e-3f));
+    float mu_s = air_point_at(ray, segment.end).mu_s;
+    vec3 irradiance = sample_diffuse_irradiance(table, atmosphere, 0.0f, mu_s, 1.0f, mu_s);
+    return behind_air(light, ground_radiance(atmosphere, irradiance) * vec3(segment.hits_ground ? 1.0f : 0.0f));
 }
 
-// The texel that stores Psi, and Psi from the table.
-INLINE vec4 multiple_scattering_texel(vec3 psi) { return vec4(root32(psi), 1.0f); }
+// The moments of one channel, low degrees and high ones, not divided by m_0.
+struct ChannelMoments {
+    vec4 low;
+    vec4 high;
+};
 
-INLINE vec2 multiple_scattering_uv(Atmosphere atmosphere, float h, float mu_s) {
-    return sun_table_uv(atmosphere, h, mu_s, MULTIPLE_SCATTERING_WIDTH, MULTIPLE_SCATTERING_HEIGHT);
+// As the table's two tiles hold them; and back.
+INLINE ChannelMoments packed_moments(ChannelMoments sum) {
+    float mean = max(sum.low.x, 1e-36f);
+    vec4 ratios = sum.low / mean;
+    return ChannelMoments(vec4(root32(vec3(mean)).x, ratios.y, ratios.z, ratios.w), sum.high / mean);
 }
 
-INLINE vec3 sample_multiple_scattering(sampler2D table, Atmosphere atmosphere, float h, float mu_s) {
-    return power32(vec3(sample_bilinear(table, multiple_scattering_uv(atmosphere, h, mu_s))));
+INLINE ChannelMoments unpacked_moments(ChannelMoments texels) {
+    float mean = power32(vec3(texels.low.x)).x;
+    return ChannelMoments(vec4(1.0f, texels.low.y, texels.low.z, texels.low.w) * mean, texels.high * mean);
+}
+
+// The sum of all orders from three sums, each an order longer, where each order is worth the same share of the last. At
+// most 0.95: a share measured on the last digits of a table that has converged means nothing, and harms nothing.
+INLINE ChannelMoments extrapolated_moments(ChannelMoments oldest, ChannelMoments older, ChannelMoments newest) {
+    float order = newest.low.x - older.low.x;
+    float share = clamp(order / max(older.low.x - oldest.low.x, 1e-36f), 0.0f, 0.95f);
+    float tail = share / (1.0f - share);
+    return ChannelMoments(newest.low + (newest.low - older.low) * tail,
+                          newest.high + (newest.high - older.high) * tail);
 }
 
 SHADER_NAMESPACE_END

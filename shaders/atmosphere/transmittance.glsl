@@ -12,7 +12,7 @@
 SHADER_NAMESPACE_BEGIN
 
 // Three Gauss-Legendre nodes in each cell: 0.2 % at most where T > 1e-4.
-CONSTANT int OPTICAL_DEPTH_CELLS = 40;
+CONSTANT int OPTICAL_DEPTH_CELLS = 48;
 
 // Altitude [m] is clamped to the air, the direction to the horizon. `along` = r mu [m].
 INLINE vec2 transmittance_uv_from_altitude_along(Atmosphere atmosphere, float altitude, float along) {

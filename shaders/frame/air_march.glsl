@@ -3,6 +3,7 @@
 // samples or all, evenly, fewer where it is short; the rest are placed by altitude. Included by the lighting pass, whose images it reads.
 #ifndef ALPENGLOW_FRAME_AIR_MARCH
 #define ALPENGLOW_FRAME_AIR_MARCH
+#include "atmosphere/inscattering.glsl"
 #include "frame/sun_shadow.glsl"
 
 // Distances from the ray's origin [m]; empty where end <= begin.
@@ -36,68 +37,64 @@ Span shaded_span(AirRay ray, vec3 light, float entry, float end) {
     return crossed(span, Span(0.0, end));
 }
 
-// What changes slowly along a ray, as the tables hold it: their 32nd roots follow an exponential nearly linearly, so that one
-// look into the tables serves a few samples.
-struct AirNode {
-    float t;        // from the ray's origin [m]
-    float altitude; // [m]
-    vec3 sun_root;  // of the optical depth towards the sun
-    vec3 psi_root;  // of the multiple scattering
-};
-
-const int NODE_SPACING = 4; // samples
-
-AirNode air_node(Atmosphere atmosphere, AirRay ray, float t) {
-    float altitude = altitude_at(ray, t), sun_along = ray.sun_along + t * ray.nu;
-    vec2 sun_uv = transmittance_uv_from_altitude_along(atmosphere, altitude, sun_along);
-    vec2 psi_uv = multiple_scattering_uv(atmosphere, altitude, sun_along / (atmosphere.ground_radius + altitude));
-    return AirNode(t, altitude, sample_bilinear(transmittance_table, sun_uv).rgb, sample_bilinear(multiple_scattering_table, psi_uv).rgb);
+// Adds the light of one cell. `middle` is its share of the run, `seen` the share of the sun's disc that no mesh hides; `edge` the
+// medium where the cell begins, and then where it ends.
+void add_air_cell(inout AirLight light, Atmosphere atmosphere, RayPhases phases, AirRay ray, MarchCell cell, DiffuseRun run,
+                  float middle, float per_cell, float seen, inout Medium edge) {
+    Medium next = medium_at(atmosphere, altitude_at(ray, cell.end));
+    CellMedium air = cell_medium(edge, medium_at(atmosphere, altitude_at(ray, cell.middle)), next);
+    edge = next;
+    float cell_length = cell.end - cell.begin, t = cell.middle + air.centre * cell_length;
+    vec3 sun = seen * sample_sun_transmittance_along(transmittance_table, atmosphere, altitude_at(ray, t), ray.sun_along + t * ray.nu);
+    DiffuseLight diffuse = shaded_light(atmosphere, diffuse_light_in(run, middle + air.centre * per_cell), seen);
+    vec3 extinction = diffuse_extinction(atmosphere, air.mean);
+    if ((frame.flags & FRAME_MULTIPLE_SCATTERING) == 0) {
+        diffuse = no_diffuse_light();
+        extinction = air.mean.extinction;
+    }
+    add_cell(light, inscattering_source(air.mean, phases, sun, diffuse), extinction, cell_length);
 }
 
-// Adds the light of one cell, evaluated at distance t [m] between two nodes, and seen by the share `visibility` of the sun.
-void add_air_cell(inout AirLight light, Atmosphere atmosphere, RayPhases phases, AirRay ray, AirNode near, AirNode far, float t,
-                  float visibility, float cell_length) {
-    float altitude = altitude_at(ray, t), sun_along = ray.sun_along + t * ray.nu;
-    float share = clamp((t - near.t) / max(far.t - near.t, TINY), 0.0, 1.0);
-    // Altitude bends between the nodes where a straight line of their depths would not: to first order of the root.
-    float bend = (mix(near.altitude, far.altitude, share) - altitude) / (32.0 * atmosphere.rayleigh_scale_height);
-    vec3 sun_depth = power32(mix(near.sun_root, far.sun_root, share) * (1.0 + bend));
-    vec3 sun = exp(-sun_depth) * (sun_above_horizon_along(atmosphere, altitude, sun_along) * visibility);
-    vec3 psi = power32(mix(near.psi_root, far.psi_root, share)) * ((frame.flags & FRAME_MULTIPLE_SCATTERING) != 0 ? 1.0 : 0.0);
-    Medium medium = medium_at(atmosphere, altitude);
-    add_cell(light, inscattering_source(medium, phases, sun, psi), medium.extinction, cell_length);
-}
-
-// `n` even cells, each looking into the cascades.
+// `n` even cells, each looking into the cascades at its share `dither`.
 AirLight march_shaded(Atmosphere atmosphere, AirRay ray, RayPhases phases, vec3 light, float entry, Span span, int n, float dither) {
     AirLight result = no_air_light();
-    float cell = (span.end - span.begin) / float(max(n, 1));
-    AirNode near = air_node(atmosphere, ray, span.begin);
-    for (int first = 0; first < n; first += NODE_SPACING) {
-        int next = min(first + NODE_SPACING, n);
-        AirNode far = air_node(atmosphere, ray, span.begin + float(next) * cell);
+    float size = (span.end - span.begin) / float(max(n, 1));
+    Medium edge = medium_at(atmosphere, altitude_at(ray, span.begin));
+    DiffuseRun run;
+    run.far = diffuse_node(multiple_scattering_table, atmosphere, ray, span.begin);
+    for (int first = 0; first < n; first += RUN) {
+        int next = min(first + RUN, n);
+        float per_cell = 1.0 / float(next - first);
+        run.near = run.far;
+        run.middle = diffuse_node(multiple_scattering_table, atmosphere, ray, span.begin + 0.5 * float(first + next) * size);
+        run.far = diffuse_node(multiple_scattering_table, atmosphere, ray, span.begin + float(next) * size);
         for (int i = first; i < next; ++i) {
-            float t = span.begin + (float(i) + dither) * cell;
-            add_air_cell(result, atmosphere, phases, ray, near, far, t, air_visibility(light * (t + entry)), cell);
+            float begin = span.begin + float(i) * size;
+            MarchCell cell = MarchCell(begin, begin + 0.5 * size, begin + size);
+            float seen = air_visibility(light * (begin + dither * size + entry));
+            add_air_cell(result, atmosphere, phases, ray, cell, run, (float(i - first) + 0.5) * per_cell, per_cell, seen, edge);
         }
-        near = far;
     }
     return result;
 }
 
 // `n` cells placed by altitude, with nothing in the sun's way but the planet; added behind `result`.
 void march_clear(inout AirLight result, Atmosphere atmosphere, AirRay ray, RayPhases phases, MarchCells cells, int n) {
-    AirNode near = air_node(atmosphere, ray, cells.begin);
+    Medium edge = medium_at(atmosphere, altitude_at(ray, cells.begin));
+    DiffuseRun run;
+    run.far = diffuse_node(multiple_scattering_table, atmosphere, ray, cells.begin);
     float from = cells.begin;
-    for (int first = 0; first < n; first += NODE_SPACING) {
-        int next = min(first + NODE_SPACING, n);
-        AirNode far = air_node(atmosphere, ray, march_distance(cells, float(next) / float(n)));
+    for (int first = 0; first < n; first += RUN) {
+        int next = min(first + RUN, n);
+        float per_cell = 1.0 / float(next - first);
+        run.near = run.far;
+        run.middle = diffuse_node(multiple_scattering_table, atmosphere, ray, march_distance(cells, 0.5 * float(first + next) / float(n)));
+        run.far = diffuse_node(multiple_scattering_table, atmosphere, ray, march_distance(cells, float(next) / float(n)));
         for (int i = first; i < next; ++i) {
             MarchCell cell = march_cell_from(cells, from, i, n);
             from = cell.end;
-            add_air_cell(result, atmosphere, phases, ray, near, far, cell.middle, 1.0, cell.end - cell.begin);
+            add_air_cell(result, atmosphere, phases, ray, cell, run, (float(i - first) + 0.5) * per_cell, per_cell, 1.0, edge);
         }
-        near = far;
     }
 }
 
@@ -125,8 +122,9 @@ int cells_before(MarchCells first, MarchCells second, int n) {
     return clamp(share, first.end > first.begin ? 1 : 0, second.end > second.begin ? n - 1 : n);
 }
 
-// The segment's transmittance: from the table where that is well conditioned, from the march's own sum elsewhere.
-vec3 segment_transmittance(AirRay ray, float end, vec3 marched) {
+// Transmittance from the ray's origin out of the air, of light that is not scattered at all: the sun's disc is too narrow for what
+// goes nearly straight on. From the table where that is well conditioned, from the march's own sum elsewhere.
+vec3 celestial_transmittance(AirRay ray, float end, vec3 marched) {
     SegmentTransmittance table = sample_segment_transmittance(transmittance_table, frame.atmosphere, air_point_at(ray, 0.0), air_point_at(ray, end));
     return mix(marched, table.transmittance, table.trust);
 }
@@ -169,7 +167,7 @@ AirLight march_air(ivec2 pixel, AirRay from_camera, vec3 light, float distance) 
     MarchCells first = make_march_cells(atmosphere, ray, 0.0, shaded.begin), second = make_march_cells(atmosphere, ray, shaded.end, end);
     int before = rest > 0 ? cells_before(first, second, rest) : 0;
     AirLight result = march_around(atmosphere, ray, phases, first, before, between, second, rest - before);
-    result.transmittance = segment_transmittance(ray, end, result.transmittance);
+    if (distance < 0.0) result.transmittance = celestial_transmittance(ray, end, result.transmittance);
     return result;
 }
 

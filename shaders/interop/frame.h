@@ -20,6 +20,7 @@
 #define FRAME_HAS_AIR 128           // the planet has any
 #define FRAME_STUDIO 256            // no planet: `fill` all round, `backdrop` behind everything
 #define FRAME_STARS 512
+#define FRAME_AMBIENT_OCCLUSION 1024
 
 // The fine octaves of the procedural ground repeat after this length, so that a position within it is exact in float.
 #define GROUND_PERIOD 8192.0f // [m]
@@ -62,7 +63,7 @@ struct FrameConstants {
     int samples;                   // of the march
     int sample_index;              // which supersample this is
 };
-CHECK_SIZE(FrameConstants, 704);
+CHECK_SIZE(FrameConstants, 744);
 
 SHADER_NAMESPACE_END
 #endif

@@ -41,6 +41,8 @@ struct sampler2D {
     vec4 const* texels;
 };
 
+inline ivec2 textureSize(sampler2D const& image, int) { return {image.width, image.height}; }
+
 // Bilinear, clamped to the edge; texel i's centre lies at (i + 0.5) / size.
 inline vec4 sample_bilinear(sampler2D const& image, vec2 uv) {
     auto const x = clamp(uv.x * float(image.width) - 0.5f, 0.0f, float(image.width - 1));

@@ -14,6 +14,8 @@ inline int max(int a, int b) { return a > b ? a : b; }
 inline int min(int a, int b) { return a < b ? a : b; }
 inline double clamp(double x, double low, double high) { return min(max(x, low), high); }
 inline double mix(double a, double b, double x) { return a + (b - a) * x; }
+inline vec3 operator*(double a, vec3 const& b) { return vec3(a * b.x, a * b.y, a * b.z); }
+inline vec3 operator*(vec3 const& a, double b) { return b * a; }
 using glm::clamp;
 using glm::max;
 using glm::min;

@@ -10,10 +10,9 @@
 #define LIGHTING_EMISSION_SLOT 4
 #define LIGHTING_DEPTH_SLOT 5
 #define LIGHTING_SHADOW_SLOT 6              // in, cascades: depth array with comparison
-#define LIGHTING_TRANSMITTANCE_SLOT 7       // in, table
-#define LIGHTING_MULTIPLE_SCATTERING_SLOT 8 // in, table
-#define LIGHTING_SKY_IRRADIANCE_SLOT 9      // in, table
-#define LIGHTING_LIT_SLOT 10                // out, rgba32f: radiance, relative to the sun's irradiance
+#define LIGHTING_LIT_SLOT 7                 // out, rgba32f: radiance, relative to the sun's irradiance
+#define LIGHTING_OPEN_SLOT 8                // in: share of the light from all round that reaches the surface
+#define LIGHTING_MODEL_SLOT 9               // in, this and the next: what the model of the air reads, interop/models/NAME.h
 
 // What the shader shows in place of the radiance.
 #define LIGHTING_RESULT 0

@@ -1,11 +1,20 @@
-// Pass `multiple_scattering`: the table of light scattered twice and more, after `transmittance`. A thread a texel.
+// Passes `first_order` and `multiple_scattering`: the moments of the light around each node, after `transmittance`. A
+// workgroup a node, a thread a share of its directions. The second pass runs in rounds, an order of scattering each.
+// Tables: rgba32f, the nodes' width x 6 times their height, see atmosphere/light_moments.glsl.
 #ifndef ALPENGLOW_INTEROP_MULTIPLE_SCATTERING_H
 #define ALPENGLOW_INTEROP_MULTIPLE_SCATTERING_H
 #include "interop/frame.h"
 
-#define MULTIPLE_SCATTERING_FRAME_SLOT 0         // uniform buffer: FrameConstants
-#define MULTIPLE_SCATTERING_TRANSMITTANCE_SLOT 1 // in, the transmittance table: linear filter, clamped to the edge
-// Out, rgba32f, MULTIPLE_SCATTERING_WIDTH x MULTIPLE_SCATTERING_HEIGHT: rgb = 32nd root of Psi, Psi in 1/sr per unit of solar irradiance.
-#define MULTIPLE_SCATTERING_TABLE_SLOT 2
+#define FIRST_ORDER_FRAME_SLOT 0         // uniform buffer: FrameConstants
+#define FIRST_ORDER_TRANSMITTANCE_SLOT 1 // in, the transmittance table: linear filter, clamped to the edge
+#define FIRST_ORDER_TABLE_SLOT 2         // out, light scattered once
+
+#define MULTIPLE_SCATTERING_FRAME_SLOT 0       // uniform buffer: FrameConstants
+#define MULTIPLE_SCATTERING_FIRST_ORDER_SLOT 1 // in, light scattered once, at the same nodes
+#define MULTIPLE_SCATTERING_BEFORE_SLOT 2      // in, orders up to the last, at any nodes: linear filter, clamped to the edge
+#define MULTIPLE_SCATTERING_TABLE_SLOT 3       // out, one order more; in, where it extrapolates: one order less
+
+// Mode: adds the orders to come as a geometric series; `before` is at the same nodes.
+#define MULTIPLE_SCATTERING_EXTRAPOLATES 1
 
 #endif

@@ -1,9 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
-#include "atmosphere/sky_irradiance.glsl"
+#include "atmosphere/transmittance.glsl"
 #include "encoding/color.glsl"
 #include "encoding/octahedral.glsl"
+#include "frame/air_model.glsl"
 #include "interop/gbuffer.h"
 #include "interop/lighting.h"
 #include "surface/brdf.glsl"
@@ -16,14 +17,13 @@ layout(set = 0, binding = LIGHTING_MATERIAL_SLOT) uniform sampler2D material_ima
 layout(set = 0, binding = LIGHTING_EMISSION_SLOT) uniform sampler2D emission_image;
 layout(set = 0, binding = LIGHTING_DEPTH_SLOT) uniform sampler2D depth_image;
 layout(set = 0, binding = LIGHTING_SHADOW_SLOT) uniform sampler2DArrayShadow shadow_cascades;
-layout(set = 0, binding = LIGHTING_TRANSMITTANCE_SLOT) uniform sampler2D transmittance_table;
-layout(set = 0, binding = LIGHTING_MULTIPLE_SCATTERING_SLOT) uniform sampler2D multiple_scattering_table;
-layout(set = 0, binding = LIGHTING_SKY_IRRADIANCE_SLOT) uniform sampler2D sky_irradiance_table;
+layout(set = 0, binding = LIGHTING_OPEN_SLOT) uniform sampler2D open_image;
 layout(set = 0, binding = LIGHTING_LIT_SLOT, rgba32f) uniform writeonly image2D lit_image;
 layout(push_constant, scalar) uniform Push { LightingPush push; };
 
-#include "frame/air_march.glsl"
 #include "frame/celestial.glsl"
+#include "frame/sun_shadow.glsl"
+#include "models/@AIR_MODEL@.glsl" // CMakeLists.txt: once with each file of that folder
 
 bool has_flag(int flag) { return (frame.flags & flag) != 0; }
 
@@ -46,6 +46,14 @@ PixelRay pixel_ray(ivec2 pixel) {
     return ray;
 }
 
+float cosine(vec3 a, vec3 b) { return clamp(dot(a, b), -1.0, 1.0); }
+
+const float SHADED_SKY = 0.85; // share of the light from all round where the sun is hidden, and with it the bright sky around it: tuned against the path tracer
+
+// What is left of the light from all round where the share `open` of it comes in and the rest is hidden by surfaces like this one
+// in the same light, which reflect it on and on.
+vec3 open_share(Surface surface, float open) { return vec3(open) / (vec3(1.0) - surface.diffuse * (1.0 - open)); }
+
 // Light that leaves a surface towards the camera, for a unit of the sun's irradiance above the air, and the shadow on it.
 vec3 surface_radiance(ivec2 pixel, PixelRay ray, AirPoint place, vec3 light) {
     vec4 albedo = texelFetch(albedo_image, pixel, 0);
@@ -55,26 +63,31 @@ vec3 surface_radiance(ivec2 pixel, PixelRay ray, AirPoint place, vec3 light) {
     vec3 shading = unit_from_octahedral(normals.xy), facing = unit_from_octahedral(normals.zw);
     vec3 to_camera = -ray.direction;
 
-    vec3 sun = vec3(1.0), sky = vec3(0.0);
+    // Up at the surface: the camera's up moved along the ray.
+    vec3 up = normalize(frame.camera_up * (frame.atmosphere.ground_radius + frame.camera_altitude) + ray.direction * ray.distance);
+    float normal_up = cosine(shading, up);
+    SurfaceLight lit;
     if (has_flag(FRAME_HAS_AIR)) {
-        sky = sample_sky_irradiance(sky_irradiance_table, frame.atmosphere, place.altitude, place.mu_s);
-        sun = sample_sun_transmittance(transmittance_table, frame.atmosphere, place.altitude, place.mu_s);
-    } else if (!has_flag(FRAME_STUDIO)) {
-        sun *= sun_above_horizon(frame.atmosphere, place.altitude, place.mu_s);
+        vec3 mirror = mirror_direction(surface, shading, to_camera);
+        lit = surface_light(place, SurfaceDirections(normal_up, cosine(shading, frame.to_sun), cosine(mirror, up), cosine(mirror, frame.to_sun), surface.alpha));
+    } else if (has_flag(FRAME_STUDIO)) {
+        lit.sun = vec3(1.0);
+        lit.sky = frame.fill;
+        lit.mirrored = frame.fill / PI;
+    } else {
+        lit.sun = vec3(sun_above_horizon(frame.atmosphere, place.altitude, place.mu_s));
+        lit.sky = lit.sun * max(place.mu_s, 0.0) * frame.atmosphere.ground_albedo * (0.5 - 0.5 * normal_up);
+        lit.mirrored = lit.sky / PI;
     }
     float visibility = 1.0;
     if (has_flag(FRAME_SHADOWS)) {
         visibility = surface_visibility(light, frame.light_from_world * facing);
         visibility *= smoothstep(0.0, 0.02, dot(facing, frame.to_sun)); // what turns away from the sun is in its own shadow
     }
-    // Up at the surface: the camera's up moved along the ray.
-    vec3 up = normalize(frame.camera_up * (frame.atmosphere.ground_radius + frame.camera_altitude) + ray.direction * ray.distance);
-    vec3 ground = (sky + sun * max(place.mu_s, 0.0)) * frame.atmosphere.ground_albedo;
-    vec3 around = has_flag(FRAME_STUDIO) ? frame.fill : sky_irradiance_on_normal(sky, ground, clamp(dot(shading, up), -1.0, 1.0));
-    vec3 ambient = around * albedo.a;
 
     float n_v = clamp(dot(shading, to_camera), 0.0, 1.0);
-    vec3 radiance = reflect_light(surface, shading, to_camera, frame.to_sun) * sun * visibility + reflect_ambient(surface, n_v) * ambient;
+    vec3 radiance = reflect_light(surface, shading, to_camera, frame.to_sun) * lit.sun * visibility +
+                    reflect_ambient(surface, n_v, lit.sky, lit.mirrored) * open_share(surface, albedo.a * texelFetch(open_image, pixel, 0).r) * mix(SHADED_SKY, 1.0, visibility);
     return radiance * frame.atmosphere.solar_irradiance + texelFetch(emission_image, pixel, 0).rgb;
 }
 
@@ -94,7 +107,7 @@ void main() {
     vec3 light_direction = frame.light_from_world * ray.direction;
 
     AirLight air = no_air_light();
-    if (has_flag(FRAME_AIR)) air = march_air(pixel, from_camera, light_direction, ray.distance);
+    if (has_flag(FRAME_AIR)) air = air_light(ViewRay(pixel, ray.direction, light_direction, from_camera, ray.distance));
     vec3 in_front = air.inscattered * frame.atmosphere.solar_irradiance;
     AirPoint place = place_at(frame.atmosphere, from_camera, ray.distance);
     vec3 behind = ground ? surface_radiance(pixel, ray, place, light_direction * ray.distance)

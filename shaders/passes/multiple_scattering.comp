@@ -1,18 +1,40 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
-#include "atmosphere/multiple_scattering.glsl"
 #include "interop/multiple_scattering.h"
 
-layout(local_size_x = WORKGROUP_SIZE, local_size_y = WORKGROUP_SIZE) in;
 layout(set = 0, binding = MULTIPLE_SCATTERING_FRAME_SLOT, scalar) uniform Frame { FrameConstants frame; };
-layout(set = 0, binding = MULTIPLE_SCATTERING_TRANSMITTANCE_SLOT) uniform sampler2D transmittance_table;
-layout(set = 0, binding = MULTIPLE_SCATTERING_TABLE_SLOT, rgba32f) uniform writeonly image2D table;
+layout(set = 0, binding = MULTIPLE_SCATTERING_FIRST_ORDER_SLOT) uniform sampler2D first_order_table;
+layout(set = 0, binding = MULTIPLE_SCATTERING_BEFORE_SLOT) uniform sampler2D before_table;
+layout(set = 0, binding = MULTIPLE_SCATTERING_TABLE_SLOT, rgba32f) uniform image2D table;
+
+#include "frame/node_moments.glsl"
+
+ChannelMoments moments_of(sampler2D from, int channel) {
+    return unpacked_moments(ChannelMoments(texelFetch(from, tile_texel(2 * channel), 0),
+                                           texelFetch(from, tile_texel(2 * channel + 1), 0)));
+}
+
+ChannelMoments oldest_moments(int channel) {
+    return unpacked_moments(ChannelMoments(imageLoad(table, tile_texel(2 * channel)),
+                                           imageLoad(table, tile_texel(2 * channel + 1))));
+}
 
 void main() {
-    ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
-    vec2 uv = (vec2(texel) + vec2(0.5f)) / vec2(MULTIPLE_SCATTERING_WIDTH, MULTIPLE_SCATTERING_HEIGHT);
-    vec2 node = altitude_sun_from_uv(frame.atmosphere, uv, MULTIPLE_SCATTERING_WIDTH, MULTIPLE_SCATTERING_HEIGHT);
-    vec3 psi = compute_multiple_scattering(frame.atmosphere, transmittance_table, node.x, node.y);
-    imageStore(table, texel, multiple_scattering_texel(psi));
+    Atmosphere atmosphere = frame.atmosphere;
+    vec2 place = node_altitude_sun(atmosphere);
+    clear_sums();
+    for (int i = int(gl_LocalInvocationIndex); i < gather_count(HIGHER_ORDER_RAYS); i += THREADS) {
+        GatherDirection direction = gather_direction(atmosphere, HIGHER_ORDER_RAYS, place.x, place.y, i);
+        AirRay ray = make_air_ray(atmosphere.ground_radius, place.x, direction.mu, place.y, direction.sunward.nu);
+        add_direction(direction, scattered_light(atmosphere, before_table, ray, HIGHER_ORDER_RAYS.cells));
+    }
+    barrier();
+    int channel = int(gl_LocalInvocationIndex);
+    if (channel > 2) return;
+    ChannelMoments once = moments_of(first_order_table, channel), again = summed_moments(channel);
+    ChannelMoments sum = ChannelMoments(once.low + again.low, once.high + again.high);
+    if (push.mode == MULTIPLE_SCATTERING_EXTRAPOLATES)
+        sum = extrapolated_moments(oldest_moments(channel), moments_of(before_table, channel), sum);
+    store_moments(channel, sum);
 }

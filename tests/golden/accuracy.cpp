@@ -27,7 +27,7 @@ View comparison_view(std::string const& name) {
 
 Evaluation evaluated(Stage& stage, View const& view, ViewReference const& reference) {
     ViewError const error = measure_error(stage, view, reference);
-    return {.view = view.name, .model = "default", .flip = error.flip, .rmse = error.rmse, .bias = error.bias};
+    return {.view = view.name, .model = "march", .flip = error.flip, .rmse = error.rmse, .bias = error.bias};
 }
 
 /// A reference of a view that is the renderer's own picture times `factor`.

@@ -34,13 +34,13 @@ std::size_t colors(ByteImage const& image) {
 } // namespace
 
 TEST_F(ShowPass, every_image_of_the_frame_has_a_scale_that_shows_it) {
-    for (char const* const name : {"transmittance", "multiple_scattering", "sky_irradiance", "shadow", "albedo", "normal", "depth", "lit", "radiance", "cascades"}) {
+    for (char const* const name : {"transmittance", "multiple_scattering", "shadow", "albedo", "normal", "depth", "lit", "radiance", "cascades"}) {
         EXPECT_GE(colors(shown(name)), 3u) << name;
     }
     for (char const* const name : {"material", "emission"}) EXPECT_GE(colors(shown(name)), 2u) << name; // uniform but for sea and sky
 }
 
 TEST_F(ShowPass, an_unknown_name_is_refused_with_those_there_are) {
-    expect_error(ErrorKind::wrong_use, {"no image 'dpeth'", "depth", "cascades", "sky_irradiance"}, [&] { shown("dpeth"); });
+    expect_error(ErrorKind::wrong_use, {"no image 'dpeth'", "depth", "cascades", "multiple_scattering"}, [&] { shown("dpeth"); });
     EXPECT_GE(colors(shown("")), 3u); // and the renderer goes on
 }

@@ -50,6 +50,13 @@ protected:
     Settings settings_;
 };
 
+/// The air as light from a surface meets it: a part of what the aerosol scatters goes straight on.
+shader::Atmosphere straight_on_air(Planet const& planet) {
+    shader::Atmosphere air = atmosphere_of(planet);
+    air.aerosol_extinction -= (1 - air.phase_moments[AEROSOL_MOMENTS].degree[0]) * air.aerosol_scattering;
+    return air;
+}
+
 double largest_relative(glm::dvec3 const& a, glm::dvec3 const& b) {
     glm::dvec3 const d = glm::abs(a - b) / b;
     return std::max({d.x, d.y, d.z});
@@ -74,12 +81,12 @@ TEST_F(SkylinePass, light_to_a_place_and_from_behind_it_make_up_the_skys) {
 }
 
 TEST_F(SkylinePass, a_segments_transmittance_is_that_of_the_integral) {
-    // Near and far, level and steep: the table's ratio where that is well conditioned, the march's sum elsewhere, and the blend of both.
+    // Near and far, level and steep.
     for (char const* const planet : {"earth", "earth_hazy", "dense"}) {
         for (double const altitude : {2.0, 3e3, 4e4}) {
             for (double const elevation : {0.05, 5.0, 60.0}) {
                 use(planet, altitude, elevation);
-                reference::Air const air(atmosphere_of(stand_.planet));
+                reference::Air const air(straight_on_air(stand_.planet));
                 for (double const distance : {500.0, 8e3, 4e4}) {
                     glm::dvec3 const near = seen_with(wall(distance, false));
                     glm::dvec3 const transmittance = (seen_with(wall(distance, true)) - near) / static_cast<double>(GLOW);

@@ -1,7 +1,8 @@
 #pragma once
 
-#include "atmosphere/sky_irradiance.glsl"
+#include "atmosphere/inscattering.glsl"
 
+#include <array>
 #include <vector>
 
 namespace alpenglow::test {
@@ -23,6 +24,8 @@ inline shader::Atmosphere earth_air() {
     air.ground_albedo = glm::vec3(0.2f);
     air.solar_irradiance = glm::vec3(1);
     air.sun_angular_radius = 0.004675f;
+    air.phase_moments[RAYLEIGH_MOMENTS] = {{1.0f, 0.0f, 0.1f, 0.0f, 0.0f}};
+    air.phase_moments[AEROSOL_MOMENTS] = {{0.8928f, 0.7370f, 0.6028f, 0.4702f, 0.3577f}};
     return air;
 }
 
@@ -77,23 +80,76 @@ inline Table make_transmittance_table(shader::Atmosphere const& air) {
             }};
 }
 
-inline Table make_multiple_scattering_table(shader::Atmosphere const& air, Table const& transmittance) {
-    return {MULTIPLE_SCATTERING_WIDTH, MULTIPLE_SCATTERING_HEIGHT, [&](glm::vec2 uv) {
-                glm::vec2 const node =
-                    shader::altitude_sun_from_uv(air, uv, MULTIPLE_SCATTERING_WIDTH, MULTIPLE_SCATTERING_HEIGHT);
-                return shader::multiple_scattering_texel(
-                    shader::compute_multiple_scattering(air, transmittance.sampler(), node.x, node.y));
-            }};
+/// Eight moments of the light at a node, each channel's low degrees and high ones.
+using NodeMoments = std::array<shader::ChannelMoments, 3>;
+
+/// The sum over a node's directions, as a workgroup of the passes makes it. `light(ray)` is the radiance along a ray.
+template <typename Light>
+NodeMoments gather_moments(shader::Atmosphere const& air, shader::GatherRays rays, glm::vec2 node, Light const& light) {
+    NodeMoments sum{};
+    for (int i = 0; i < shader::gather_count(rays); ++i) {
+        shader::GatherDirection const d = shader::gather_direction(air, rays, node.x, node.y, i);
+        glm::vec3 const radiance =
+            light(shader::make_air_ray(air.ground_radius, node.x, d.mu, node.y, d.sunward.nu)) * d.weight;
+        shader::MomentBasis const basis = shader::moment_basis(d.sunward);
+        for (int channel = 0; channel < 3; ++channel) {
+            sum[std::size_t(channel)].low += basis.low * radiance[channel];
+            sum[std::size_t(channel)].high += basis.high * radiance[channel];
+        }
+    }
+    return sum;
 }
+
+/// The table of moments: each round adds an order of scattering.
+class LightTable {
+public:
+    LightTable(shader::Atmosphere const& air, shader::sampler2D transmittance, shader::GatherRays first)
+        : first_order_(nodes()), texels_(nodes() * LIGHT_TILES) {
+        for (std::size_t i = 0; i < nodes(); ++i) {
+            first_order_[i] = gather_moments(air, first, place(air, i), [&](shader::AirRay const& ray) {
+                return shader::first_order_light(air, transmittance, ray, first.cells);
+            });
+            store(i, first_order_[i]);
+        }
+    }
+    void add_order(shader::Atmosphere const& air, shader::GatherRays higher) {
+        std::vector<NodeMoments> sums = first_order_;
+        for (std::size_t i = 0; i < nodes(); ++i) {
+            NodeMoments const again = gather_moments(air, higher, place(air, i), [&](shader::AirRay const& ray) {
+                return shader::scattered_light(air, sampler(), ray, higher.cells);
+            });
+            for (std::size_t c = 0; c < 3; ++c) sums[i][c].low += again[c].low, sums[i][c].high += again[c].high;
+        }
+        for (std::size_t i = 0; i < nodes(); ++i) store(i, sums[i]);
+    }
+    shader::sampler2D sampler() const {
+        return {MULTIPLE_SCATTERING_WIDTH, LIGHT_TILES * MULTIPLE_SCATTERING_HEIGHT, texels_.data()};
+    }
+    std::vector<glm::vec4> const& texels() const { return texels_; }
+
+    static std::size_t nodes() { return std::size_t(MULTIPLE_SCATTERING_WIDTH * MULTIPLE_SCATTERING_HEIGHT); }
+    /// x = altitude [m], y = mu_s.
+    static glm::vec2 place(shader::Atmosphere const& air, std::size_t node) {
+        float const x = float(node % MULTIPLE_SCATTERING_WIDTH) + 0.5f, y = float(node / MULTIPLE_SCATTERING_WIDTH) + 0.5f;
+        return shader::altitude_sun_from_uv(air, {x / MULTIPLE_SCATTERING_WIDTH, y / MULTIPLE_SCATTERING_HEIGHT},
+                                            MULTIPLE_SCATTERING_WIDTH, MULTIPLE_SCATTERING_HEIGHT);
+    }
+
+private:
+    void store(std::size_t node, NodeMoments const& moments) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            shader::ChannelMoments const packed = shader::packed_moments(moments[c]);
+            texels_[2 * c * nodes() + node] = packed.low;
+            texels_[(2 * c + 1) * nodes() + node] = packed.high;
+        }
+    }
+    std::vector<NodeMoments> first_order_;
+    std::vector<glm::vec4> texels_;
+};
 
 /// The clear Earth's tables, built once.
 inline Table const& earth_transmittance() {
     static Table const table = make_transmittance_table(earth_air());
     return table;
 }
-inline Table const& earth_multiple_scattering() {
-    static Table const table = make_multiple_scattering_table(earth_air(), earth_transmittance());
-    return table;
-}
-
 } // namespace alpenglow::test

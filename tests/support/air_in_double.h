@@ -8,5 +8,5 @@
 
 #define ALPENGLOW_SHADER_DOUBLE
 #define float double
-#include "atmosphere/sky_irradiance.glsl"
+#include "atmosphere/inscattering.glsl"
 #undef float

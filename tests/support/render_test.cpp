@@ -41,7 +41,7 @@ Planet airless_planet() {
 Settings plain_settings() {
     Settings settings;
     settings.dither = false;
-    settings.sun_disc = settings.stars = false;
+    settings.sun_disc = settings.stars = settings.ambient_occlusion = false;
     return settings;
 }
 

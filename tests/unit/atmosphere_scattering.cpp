@@ -8,9 +8,18 @@ using namespace alpenglow::shader;
 namespace reference = alpenglow::test::reference;
 
 namespace {
-Atmosphere const AIR = test::earth_air();
+// Sunlight alone: nothing goes straight on.
+Atmosphere sunlit_earth() {
+    Atmosphere air = test::earth_air();
+    for (PhaseMoments& moments : air.phase_moments) moments.degree[0] = 1;
+    return air;
+}
+Atmosphere const AIR = sunlit_earth();
 
-bool finite_and_positive(vec3 v) { return v.x > 0 && v.y > 0 && v.z > 0 && !any(isnan(v)) && !any(isinf(v)); }
+sampler2D no_light() {
+    static test::Table const dark(1, LIGHT_TILES, [](vec2) { return vec4(0); });
+    return dark.sampler();
+}
 
 // A view ray into the air, from its origin inside it.
 struct View {
@@ -42,12 +51,11 @@ std::vector<View> picture(float h, double pitch, double sun_elevation, std::vect
 
 // Root mean square of the march's error over the picture, relative to the picture's own root mean square.
 double march_error(std::vector<View> const& views, int n) {
-    static test::Table const dark(1, 1, [](vec2) { return multiple_scattering_texel(vec3(0)); });
     static reference::Air const exact(AIR);
     double wrong = 0, all = 0;
     for (View const& view : views) {
         AirLight const light =
-            compute_air_light(AIR, test::earth_transmittance().sampler(), dark.sampler(), view.ray, 0, view.end, n);
+            compute_air_light(AIR, test::earth_transmittance().sampler(), no_light(), view.ray, 0, view.end, n);
         dvec3 const truth = reference::single_scattering(exact, view.exact, 0, view.end);
         wrong += dot(dvec3(light.inscattered) - truth, dvec3(light.inscattered) - truth);
         all += dot(truth, truth);
@@ -108,8 +116,7 @@ TEST(March, the_aureole_meets_the_double_integral) {
 // A ray to distance d, plus its transmittance times what lies beyond, is the whole ray: no seam at the skyline.
 TEST(March, a_ray_cut_in_two_is_the_whole_ray) {
     auto const march = [](AirRay const& ray, float begin, float end) {
-        return compute_air_light(AIR, test::earth_transmittance().sampler(),
-                                 test::earth_multiple_scattering().sampler(), ray, begin, end, 32);
+        return compute_air_light(AIR, test::earth_transmittance().sampler(), no_light(), ray, begin, end, 32);
     };
     for (float const mu : {-0.01f, 0.0f, 0.05f, 0.5f})
         for (float const sun : {0.3f, 0.02f, -0.05f})
@@ -128,115 +135,8 @@ TEST(March, a_ray_cut_in_two_is_the_whole_ray) {
 TEST(March, without_air_there_is_no_light_and_no_loss) {
     Atmosphere const airless = test::no_air();
     test::Table const transmittance = test::make_transmittance_table(airless);
-    test::Table const multiple = test::make_multiple_scattering_table(airless, transmittance);
     AirRay const ray = make_air_ray(airless.ground_radius, 10, 0.1f, 0.2f, 0.3f);
-    AirLight const light = compute_air_light(airless, transmittance.sampler(), multiple.sampler(), ray, 0, 5e5f, 8);
+    AirLight const light = compute_air_light(airless, transmittance.sampler(), no_light(), ray, 0, 5e5f, 8);
     EXPECT_EQ(light.inscattered, vec3(0));
     EXPECT_EQ(light.transmittance, vec3(1));
-    vec3 const sky = compute_sky_irradiance(airless, transmittance.sampler(), multiple.sampler(), 0, 0.5f);
-    EXPECT_EQ(sky, vec3(0));
-}
-
-// Sakmary's Eq. 4.1 with 4.2 swaps its angles: the moments are not 1/3 then.
-TEST(MultipleScattering, directions_are_uniform) {
-    dvec3 first(0), second(0);
-    int const n = MULTIPLE_SCATTERING_DIRECTIONS;
-    for (int i = 0; i < n; ++i) {
-        dvec3 const d = spiral_direction(i, n);
-        EXPECT_NEAR(dot(d, d), 1, 1e-6);
-        first += d / double(n);
-        second += d * d / double(n);
-    }
-    for (int c = 0; c < 3; ++c) {
-        EXPECT_NEAR(first[c], 0, 0.02);
-        EXPECT_NEAR(second[c], 1.0 / 3, 0.01);
-    }
-}
-
-// Deep in the night it may be nothing at all.
-TEST(MultipleScattering, every_node_is_finite_and_not_negative) {
-    for (Atmosphere const& air : {AIR, test::hazy_air(), test::dense_air()}) {
-        test::Table const transmittance = test::make_transmittance_table(air);
-        test::Table const table = test::make_multiple_scattering_table(air, transmittance);
-        for (vec4 const& texel : table.texels()) {
-            ASSERT_TRUE(finite_and_positive(power32(vec3(texel)) + vec3(TINY)));
-            ASSERT_TRUE(all(lessThan(vec3(texel), vec3(std::pow(1 / PI, 1.0f / 32))))); // a white world under a full sun
-        }
-    }
-}
-
-// Nothing is made from nothing: air that only scatters passes on less than all, more the thicker it is.
-TEST(MultipleScattering, an_order_is_weaker_than_the_last) {
-    test::Table const clear = test::make_transmittance_table(test::no_air());
-    float last = 0;
-    for (float const density : {1.0f, 10.0f, 1000.0f}) {
-        Atmosphere air = test::no_air();
-        air.rayleigh_scattering = AIR.rayleigh_scattering * density;
-        vec3 around(0);
-        int const n = MULTIPLE_SCATTERING_DIRECTIONS;
-        for (int i = 0; i < n; ++i) {
-            AirRay const ray = make_air_ray(air.ground_radius, 5000, spiral_direction(i, n).z, 0, 0);
-            around += gather_orders(air, clear.sampler(), ray).around / float(n);
-        }
-        EXPECT_GT(around.z, last);
-        EXPECT_LE(around.z, 1);
-        last = around.z;
-    }
-}
-
-TEST(MultipleScattering, the_mapping_goes_there_and_back) {
-    for (int y = 0; y < 16; ++y)
-        for (int x = 0; x < 64; ++x) {
-            vec2 const uv((float(x) + 0.5f) / 64, (float(y) + 0.5f) / 16);
-            vec2 const node = altitude_sun_from_uv(AIR, uv, 64, 16);
-            vec2 const back = sun_table_uv(AIR, node.x, node.y, 64, 16);
-            EXPECT_NEAR(back.x, uv.x, 1e-5);
-            EXPECT_NEAR(back.y, uv.y, 1e-5);
-        }
-}
-
-// Between nodes, where twilight falls by powers of ten.
-TEST(MultipleScattering, the_table_meets_the_integral) {
-    auto const tr = test::earth_transmittance().sampler(), ms = test::earth_multiple_scattering().sampler();
-    struct Case {
-        double elevation, tolerance;
-    };
-    for (Case const c : {Case{50, 0.005}, Case{10.3, 0.01}, Case{2.2, 0.02}, Case{-0.7, 0.03}, Case{-4.4, 0.1}})
-        for (float const h : {0.0f, 2500.0f, 20000.0f}) {
-            float const mu_s = float(std::sin(glm::radians(c.elevation)));
-            vec3 const sampled = sample_multiple_scattering(ms, AIR, h, mu_s);
-            vec3 const exact = compute_multiple_scattering(AIR, tr, h, mu_s);
-            for (int k = 0; k < 3; ++k) EXPECT_NEAR(sampled[k] / exact[k], 1, c.tolerance) << c.elevation << " " << h;
-        }
-}
-
-TEST(SkyIrradiance, is_a_tenth_to_a_sixth_of_the_sun_at_60_degrees) {
-    auto const tr = test::earth_transmittance().sampler(), ms = test::earth_multiple_scattering().sampler();
-    float const mu_s = std::sin(glm::radians(60.0f));
-    vec3 const sky = compute_sky_irradiance(AIR, tr, ms, 0, mu_s);
-    vec3 const direct = sample_sun_transmittance(tr, AIR, 0, mu_s) * mu_s;
-    float const ratio = (sky.x + sky.y + sky.z) / (direct.x + direct.y + direct.z);
-    EXPECT_GT(ratio, 0.1f);
-    EXPECT_LT(ratio, 1 / 6.0f);
-    EXPECT_GT(sky.z, 3 * sky.x);
-}
-
-TEST(SkyIrradiance, falls_with_altitude_and_with_the_sun) {
-    auto const tr = test::earth_transmittance().sampler(), ms = test::earth_multiple_scattering().sampler();
-    float last = 1;
-    for (double const elevation : {90.0, 30.0, 5.0, 0.0, -4.0, -9.0}) {
-        vec3 const sky = compute_sky_irradiance(AIR, tr, ms, 0, float(std::sin(glm::radians(elevation))));
-        EXPECT_TRUE(finite_and_positive(sky));
-        EXPECT_LT(sky.z, last);
-        last = sky.z;
-    }
-    float const low = compute_sky_irradiance(AIR, tr, ms, 0, 0.5f).z;
-    float const high = compute_sky_irradiance(AIR, tr, ms, 30000, 0.5f).z;
-    EXPECT_LT(high, 0.1f * low);
-}
-
-TEST(SkyIrradiance, a_tilted_plane_sees_sky_and_ground) {
-    EXPECT_EQ(sky_irradiance_on_normal(vec3(2), vec3(6), 1), vec3(2));
-    EXPECT_EQ(sky_irradiance_on_normal(vec3(2), vec3(6), -1), vec3(6));
-    EXPECT_EQ(sky_irradiance_on_normal(vec3(2), vec3(6), 0), vec3(4));
 }

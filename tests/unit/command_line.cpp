@@ -126,7 +126,7 @@ TEST(CommandLine, bench_takes_views_or_a_scene_to_load) {
     EXPECT_TRUE(given.json && given.views.empty());
     EXPECT_EQ(std::get<BenchOptions>(parse("bench --load")).load, "");
     EXPECT_EQ(std::get<BenchOptions>(parse("bench --load --json")).load, "");
-    expect_refused("bench", "VIEW.json or --load is required");
+    expect_refused("bench", "VIEW.json, --load or --plot is required");
     expect_refused("bench v.json --load s.glb", "VIEW.json");
     expect_refused("bench --load s.glb --size 64x36", "--size");
     expect_refused("bench --load s.glb --at 1,2", "--at");
@@ -135,17 +135,17 @@ TEST(CommandLine, bench_takes_views_or_a_scene_to_load) {
 TEST(CommandLine, evaluate_takes_lists_of_views_and_known_models) {
     auto const all = std::get<EvaluateOptions>(parse("evaluate"));
     EXPECT_TRUE(all.views.empty() && all.models.empty() && !all.json && !all.references && !all.check);
-    auto const some = std::get<EvaluateOptions>(parse("evaluate --views a.json b.json --model default --references r --heatmaps h "
+    auto const some = std::get<EvaluateOptions>(parse("evaluate --views a.json b.json --model march --references r --heatmaps h "
                                                       "--document d.md --check c.md --set samples=64 --json"));
     EXPECT_EQ(some.views, (std::vector<std::filesystem::path>{"a.json", "b.json"}));
-    EXPECT_EQ(some.models, (std::vector<std::string>{"default"}));
+    EXPECT_EQ(some.models, (std::vector<std::string>{"march"}));
     EXPECT_EQ(some.references, "r");
     EXPECT_EQ(some.heatmaps, "h");
     EXPECT_EQ(some.document, "d.md");
     EXPECT_EQ(some.check, "c.md");
     EXPECT_EQ(some.overrides, (std::vector<Override>{{"samples", "64"}}));
     EXPECT_TRUE(some.json);
-    expect_refused("evaluate --model hillaire", "there is no model 'hillaire' (the models are: default)");
+    expect_refused("evaluate --model hillaire", "there is no model 'hillaire' (give all, or some of march|naive|tables)");
     expect_refused("evaluate --views", "--views");
 }
 

@@ -40,7 +40,8 @@ std::map<std::string, Names> const ALLOWED = {
     {"shaders/surface", {"interop", "surface", "encoding", "atmosphere"}},
     {"shaders/encoding", {"interop", "encoding"}},
     {"shaders/frame", {"interop", "atmosphere", "surface", "encoding", "frame"}},
-    {"shaders/passes", {"interop", "atmosphere", "surface", "encoding", "frame"}},
+    {"shaders/models", {"interop", "atmosphere", "surface", "encoding", "frame", "models"}},
+    {"shaders/passes", {"interop", "atmosphere", "surface", "encoding", "frame", "models"}},
     {"sandbox", {"sandbox", "render", "reference", "terrain", "scene", "gpu", "image", "core", "interop"}},
 };
 
@@ -80,6 +81,9 @@ std::string quoted_violation(Include const& include, std::string const& folder, 
     fs::path const file = include.file;
     bool const pass_to_pass = file.parent_path() == "engine/render/passes" && path.starts_with("render/passes/");
     if (pass_to_pass && fs::path(path).stem() != file.stem()) return "passes never include each other";
+    bool const model_to_model = file.parent_path() == "engine/render/models" && path.starts_with("render/models/");
+    if (model_to_model && fs::path(path).stem() != "model" && fs::path(path).stem() != file.stem())
+        return "models never include each other";
     return {};
 }
 

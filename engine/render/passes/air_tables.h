@@ -4,7 +4,7 @@
 
 namespace alpenglow {
 
-/// The tables of the air, made anew where they are stale: optical depth, light of higher orders, the sky's irradiance.
+/// The tables of the frame's model of the air; those that outlive the frame are made anew where they are stale.
 AirTables add_air_tables(FrameGraph& graph, FrameInputs const& in, ConstantsId frame);
 
 } // namespace alpenglow

@@ -2,8 +2,8 @@
 
 #include "interop/lighting.h"
 #include "render/frame_constants.h"
+#include "render/models/model.h"
 
-#include <embedded_shaders.h>
 #include <cmath>
 
 namespace alpenglow {
@@ -18,27 +18,25 @@ glm::vec2 celestial_turn(glm::dvec3 const& to_sun) {
 
 } // namespace
 
-ImageId add_lighting(FrameGraph& graph, FrameInputs const& in, ConstantsId frame, GBuffer const& gbuffer,
+ImageId add_lighting(FrameGraph& graph, FrameInputs const& in, ConstantsId frame, LitSurfaces const& surfaces,
                      SunShadow const& shadow, AirTables const& air, int sample) {
     ImageId const lit = sample == 0
                             ? graph.add_image("lit", {VK_FORMAT_R32G32B32A32_SFLOAT, in.extent}, ShowScale::radiance)
                             : graph.find("lit");
     shader::LightingPush const push{in.settings.show == SHOW_CASCADES ? LIGHTING_SHOW_CASCADES : LIGHTING_RESULT,
                                     celestial_turn(in.world.to_sun)};
-    graph.add(ComputePass{"lighting",
-                          shaders::lighting_comp,
-                          {constants(LIGHTING_FRAME_SLOT, frame),
-                           sampled(LIGHTING_ALBEDO_SLOT, gbuffer.albedo, NEAREST_CLAMP),
-                           sampled(LIGHTING_NORMAL_SLOT, gbuffer.normal, NEAREST_CLAMP),
-                           sampled(LIGHTING_MATERIAL_SLOT, gbuffer.material, NEAREST_CLAMP),
-                           sampled(LIGHTING_EMISSION_SLOT, gbuffer.emission, NEAREST_CLAMP),
-                           sampled(LIGHTING_DEPTH_SLOT, gbuffer.depth, NEAREST_CLAMP),
-                           sampled_array(LIGHTING_SHADOW_SLOT, shadow.cascades, SHADOW_COMPARE),
-                           sampled(LIGHTING_TRANSMITTANCE_SLOT, air.transmittance),
-                           sampled(LIGHTING_MULTIPLE_SCATTERING_SLOT, air.multiple_scattering),
-                           sampled(LIGHTING_SKY_IRRADIANCE_SLOT, air.sky_irradiance), stored(LIGHTING_LIT_SLOT, lit)},
-                          in.extent,
-                          bytes_of(push)});
+    GBuffer const& gbuffer = surfaces.gbuffer;
+    std::vector<Slot> slots{constants(LIGHTING_FRAME_SLOT, frame),
+                            sampled(LIGHTING_ALBEDO_SLOT, gbuffer.albedo, NEAREST_CLAMP),
+                            sampled(LIGHTING_NORMAL_SLOT, gbuffer.normal, NEAREST_CLAMP),
+                            sampled(LIGHTING_MATERIAL_SLOT, gbuffer.material, NEAREST_CLAMP),
+                            sampled(LIGHTING_EMISSION_SLOT, gbuffer.emission, NEAREST_CLAMP),
+                            sampled(LIGHTING_DEPTH_SLOT, gbuffer.depth, NEAREST_CLAMP),
+                            sampled_array(LIGHTING_SHADOW_SLOT, shadow.cascades, SHADOW_COMPARE),
+                            sampled(LIGHTING_OPEN_SLOT, surfaces.open, NEAREST_CLAMP),
+                            stored(LIGHTING_LIT_SLOT, lit)};
+    slots.insert(slots.end(), air.slots.begin(), air.slots.end());
+    graph.add(ComputePass{"lighting", in.model.lighting, std::move(slots), in.extent, bytes_of(push)});
     return lit;
 }
 

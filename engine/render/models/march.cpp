@@ -1,0 +1,83 @@
+#include "interop/models/march.h"
+
+#include "interop/multiple_scattering.h"
+#include "render/models/model.h"
+#include "render/passes/transmittance.h"
+
+#include <embedded_shaders.h>
+
+namespace alpenglow {
+
+namespace {
+
+enum Tables : std::size_t { TRANSMITTANCE, COARSE_FIRST_ORDER, COARSE_ORDERS, FIRST_ORDER, ORDERS };
+
+constexpr Extent NODES{MULTIPLE_SCATTERING_WIDTH, MULTIPLE_SCATTERING_HEIGHT};
+constexpr Extent COARSE_NODES{NODES.width / 2, NODES.height / 2};
+
+/// Orders of scattering behind the first that are added on a quarter of the nodes, and then on all; and how often the orders
+/// to come are added as a geometric series. An order is worth 0.4 of the last on Earth, 0.85 on the dense planet, where
+/// coarse nodes are off by up to a sixth.
+constexpr int COARSE_ROUNDS = 12, ROUNDS = 12, EXTRAPOLATION = 6;
+
+constexpr Extent moments_size(Extent nodes) { return {nodes.width, LIGHT_TILES * nodes.height}; }
+
+AirTableStep first_order_step(std::string const& pass, Tables table, Extent nodes) {
+    return {.pass = pass,
+            .shader = shaders::first_order_comp,
+            .groups = static_cast<std::uint32_t>(nodes.pixels()),
+            .frame_slot = FIRST_ORDER_FRAME_SLOT,
+            .reads = {{TRANSMITTANCE, FIRST_ORDER_TRANSMITTANCE_SLOT}},
+            .makes = {table, FIRST_ORDER_TABLE_SLOT}};
+}
+
+/// One order more than in `before`. Where it extrapolates, `orders` held one order less two steps ago.
+AirTableStep order_step(std::string const& pass, Tables first_order, Tables before, Tables orders, Extent nodes,
+                        bool extrapolates) {
+    return {.pass = pass,
+            .shader = shaders::multiple_scattering_comp,
+            .groups = static_cast<std::uint32_t>(nodes.pixels()),
+            .frame_slot = MULTIPLE_SCATTERING_FRAME_SLOT,
+            .reads = {{first_order, MULTIPLE_SCATTERING_FIRST_ORDER_SLOT, NEAREST_CLAMP},
+                      {before, MULTIPLE_SCATTERING_BEFORE_SLOT}},
+            .makes = {orders, MULTIPLE_SCATTERING_TABLE_SLOT},
+            .mode = extrapolates ? MULTIPLE_SCATTERING_EXTRAPOLATES : 0,
+            .updates = extrapolates};
+}
+
+/// All orders on a quarter of the nodes first: what they are off by is smooth, and little is left to do for the rest.
+std::vector<AirTableStep> make_steps() {
+    std::vector<AirTableStep> steps{transmittance_step(TRANSMITTANCE),
+                                    first_order_step("coarse_first_order", COARSE_FIRST_ORDER, COARSE_NODES)};
+    for (int round = 1; round <= COARSE_ROUNDS; ++round)
+        steps.push_back(order_step("coarse_orders", COARSE_FIRST_ORDER, round == 1 ? COARSE_FIRST_ORDER : COARSE_ORDERS,
+                                   COARSE_ORDERS, COARSE_NODES, round % EXTRAPOLATION == 0));
+    steps.push_back(first_order_step("first_order", FIRST_ORDER, NODES));
+    for (int round = 1; round <= ROUNDS; ++round)
+        steps.push_back(order_step("multiple_scattering", FIRST_ORDER, round == 1 ? COARSE_ORDERS : ORDERS, ORDERS,
+                                   NODES, round % EXTRAPOLATION == 0));
+    return steps;
+}
+
+std::vector<Slot> lighting_slots(FrameGraph&, AirTableInputs const& inputs) {
+    return {sampled(MARCH_TRANSMITTANCE_SLOT, inputs.tables[TRANSMITTANCE]),
+            sampled(MARCH_MULTIPLE_SCATTERING_SLOT, inputs.tables[ORDERS])};
+}
+
+} // namespace
+
+AirModel make_march() {
+    return {.name = "march",
+            .help = "each pixel's ray marched; the sun's way and all further orders from tables",
+            .lighting = shaders::lighting_march_comp,
+            .tables = {{"transmittance", {TRANSMITTANCE_WIDTH, TRANSMITTANCE_HEIGHT}, ShowScale::optical_depth},
+                       {"coarse_first_order", moments_size(COARSE_NODES), ShowScale::logarithm},
+                       {"coarse_orders", moments_size(COARSE_NODES), ShowScale::logarithm},
+                       {"first_order", moments_size(NODES), ShowScale::logarithm},
+                       {"multiple_scattering", moments_size(NODES), ShowScale::logarithm}},
+            .steps = make_steps(),
+            .lighting_slots = lighting_slots,
+            .limits = [](World const&, Settings const&, bool) -> std::string_view { return {}; }};
+}
+
+} // namespace alpenglow

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "render/frame.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace alpenglow {
+
+/// A table of the air that outlives the frame: four floats a texel.
+struct AirTable {
+    std::string name; ///< as `show` knows it
+    Extent size;      ///< [texels]
+    ShowScale scale;
+};
+
+/// A table, by its place in the model's list, and the slot it is bound to.
+struct TableUse {
+    std::size_t table;
+    std::uint32_t slot;
+    SamplerState sampler = LINEAR_CLAMP;
+};
+
+/// A part of making a model's tables: one pass that makes one table from finished ones, which may be its own last state.
+/// Its workgroups stand in a row and may run in different frames; the shader gets the number of the first as
+/// shader::AirTablePush. What it makes is seen when it is done.
+struct AirTableStep {
+    std::string pass;
+    ShaderCode shader;
+    std::uint32_t groups; ///< workgroups in all
+    std::uint32_t frame_slot;
+    std::vector<TableUse> reads;
+    TableUse makes;
+    int mode = 0;         ///< the pass's own
+    bool updates = false; ///< it also reads what the table held before its last state
+};
+
+/// What a frame has of a model's tables.
+struct AirTableInputs {
+    FrameInputs const& in;
+    ConstantsId frame;
+    std::vector<ImageId> tables; ///< the model's, finished, in its order
+};
+
+/// A way to light the air. One file in this folder declares it, one file in shaders/models computes it, and
+/// `air_models` lists it: docs/adding_a_model.md.
+struct AirModel {
+    std::string_view name; ///< as the setting `model` knows it
+    std::string_view help;
+    ShaderCode lighting;               ///< the lighting pass with shaders/models/NAME.glsl in it
+    std::vector<AirTable> tables{};    ///< what it keeps from frame to frame
+    std::vector<AirTableStep> steps{}; ///< that make them, in order, when the air changes
+    /// Gives what the lighting pass binds behind its own slots, numbered from LIGHTING_MODEL_SLOT on, and declares the
+    /// passes that fill tables of this frame's view.
+    std::vector<Slot> (*lighting_slots)(FrameGraph& graph, AirTableInputs const& inputs);
+    /// What the model leaves out or can't do in this world, with meshes in it or without, in one sentence; empty where
+    /// it applies in full.
+    std::string_view (*limits)(World const& world, Settings const& settings, bool meshes);
+};
+
+} // namespace alpenglow

@@ -1,0 +1,125 @@
+// Diffuse light around a point as eight moments, and what follows from them: the light scattered into a direction, and
+// the irradiance of a surface.
+// The moments are those of the radiance that arrives from sky and ground, all orders from the first on, without the
+// direct sun: m_i = mean over all directions of L B_i [1/sr per unit of solar irradiance above the air]. The B_i are
+// real spherical harmonics whose square has the mean 1; their polar axis points to the sun and their azimuth starts in
+// the plane of the zenith, which is a plane of symmetry, so that the sines of the azimuth drop out. Degrees 0 to 2 are
+// whole, of 3 and 4 there is the part without azimuth.
+// Table: of any width and six times any height, in six tiles one above the other, two for each channel:
+// (32nd root of m_0, m_1 / m_0, m_2 / m_0, m_3 / m_0) and (m_4 to m_7) / m_0.
+#ifndef ALPENGLOW_ATMOSPHERE_LIGHT_MOMENTS_GLSL
+#define ALPENGLOW_ATMOSPHERE_LIGHT_MOMENTS_GLSL
+#include "atmosphere/sun_mapping.glsl"
+SHADER_NAMESPACE_BEGIN
+
+CONSTANT int LIGHT_MOMENTS = 8;
+
+// A direction as seen from the sun. w = sin(angle to the sun) cos(azimuth from the zenith's plane).
+struct SunwardDirection {
+    float nu; // cosine with the direction to the sun
+    float w;
+};
+
+// A direction with the cosines mu to the zenith and nu to the sun, under a sun at mu_s. With the sun at the zenith the
+// azimuth means nothing, and the moments that ask for it are 0.
+INLINE SunwardDirection sunward_direction(float mu, float mu_s, float nu) {
+    float sin_sun = sqrt(max(1.0f - mu_s * mu_s, 1e-8f));
+    float side = sqrt(max(1.0f - nu * nu, 0.0f));
+    return SunwardDirection(nu, clamp((mu - nu * mu_s) / sin_sun, -side, side));
+}
+
+// The B_i of a direction: degrees (0, 1, 1, 2) and (2, 2, 3, 4).
+struct MomentBasis {
+    vec4 low;
+    vec4 high;
+};
+
+INLINE MomentBasis moment_basis(SunwardDirection d) {
+    float nu2 = d.nu * d.nu;
+    return MomentBasis(vec4(1.0f, 1.73205081f * d.nu, 1.73205081f * d.w, 1.11803399f * (3.0f * nu2 - 1.0f)),
+                       vec4(3.87298335f * d.nu * d.w, 3.87298335f * (d.w * d.w - 0.5f * (1.0f - nu2)),
+                            1.32287566f * d.nu * (5.0f * nu2 - 3.0f), 0.375f * (nu2 * (35.0f * nu2 - 30.0f) + 3.0f)));
+}
+
+// The moments of the three channels, m_0 apart: the rest relative to it.
+struct LightMoments {
+    vec3 root;    // 32nd root of m_0
+    vec3 along;   // of nu
+    vec3 across;  // of w
+    vec3 along2;  // of degree 2
+    vec3 mixed2;
+    vec3 across2;
+    vec3 along3;
+    vec3 along4;
+};
+
+// Light from one direction by degrees, relative to m_0 (which is degree 0's).
+struct LightByDegree {
+    vec3 first;
+    vec3 second;
+    vec3 third;
+    vec3 fourth;
+};
+
+INLINE LightByDegree light_by_degree(LightMoments light, SunwardDirection direction) {
+    MomentBasis b = moment_basis(direction);
+    return LightByDegree(light.along * b.low.y + light.across * b.low.z,
+                         light.along2 * b.low.w + light.mixed2 * b.high.x + light.across2 * b.high.y,
+                         light.along3 * b.high.z, light.along4 * b.high.w);
+}
+
+// Light that a medium of this phase scatters into the direction, per unit of its scattering, relative to m_0: the
+// theorem of Funk and Hecke. A cut-off series may dip below 0 where there is next to nothing.
+INLINE vec3 scattered_gain(PhaseMoments phase, LightByDegree light) {
+    return max(vec3(phase.degree[0]) + phase.degree[1] * light.first + phase.degree[2] * light.second +
+                   phase.degree[3] * light.third + phase.degree[4] * light.fourth,
+               vec3(0.0f));
+}
+
+// Irradiance of a surface whose normal is `direction`, relative to m_0: the coefficients of the cosine lobe (Ramamoorthi
+// and Hanrahan 2001, Eq. 8), times the 4 pi of the mean.
+INLINE vec3 irradiance_gain(LightByDegree light) {
+    return max(vec3(PI) + (2.0f / 3.0f * PI) * light.first + (PI / 4.0f) * light.second - (PI / 24.0f) * light.fourth,
+               vec3(0.0f));
+}
+
+// Mean radiance in a lobe around the direction, relative to m_0. `alpha` is GGX's: a narrow lobe is a Gaussian whose
+// variance is 2 alpha^2, and loses exp(-l (l + 1) alpha^2) of degree l (Ramamoorthi and Hanrahan 2001, "A Signal-Processing
+// Framework", give the same for small l); the widest is near the cosine's, 2/3 and 1/4.
+INLINE vec3 lobe_gain(LightByDegree light, float alpha) {
+    float width = alpha * alpha / (1.0f + 4.0f * alpha * alpha);
+    return max(vec3(1.0f) + exp(-2.0f * width) * light.first + exp(-6.0f * width) * light.second +
+                   exp(-12.0f * width) * light.third + exp(-20.0f * width) * light.fourth,
+               vec3(0.0f));
+}
+
+// Row of the first tile: the table's upper and lower half rows belong to the edge, so that tiles do not mix.
+INLINE vec2 light_moments_uv(Atmosphere atmosphere, ivec2 size, float h, float mu_s) {
+    vec2 uv = sun_table_uv(atmosphere, h, mu_s, size.x, size.y / LIGHT_TILES);
+    return vec2(uv.x, uv.y / float(LIGHT_TILES));
+}
+
+INLINE vec4 sample_light_tile(sampler2D table, vec2 uv, int tile) {
+    return sample_bilinear(table, uv + vec2(0.0f, float(tile) / float(LIGHT_TILES)));
+}
+
+INLINE LightMoments sample_light_moments(sampler2D table, Atmosphere atmosphere, float h, float mu_s) {
+    vec2 uv = light_moments_uv(atmosphere, textureSize(table, 0), h, mu_s);
+    vec4 r = sample_light_tile(table, uv, 0), r_high = sample_light_tile(table, uv, 1);
+    vec4 g = sample_light_tile(table, uv, 2), g_high = sample_light_tile(table, uv, 3);
+    vec4 b = sample_light_tile(table, uv, 4), b_high = sample_light_tile(table, uv, 5);
+    return LightMoments(vec3(r.x, g.x, b.x), vec3(r.y, g.y, b.y), vec3(r.z, g.z, b.z), vec3(r.w, g.w, b.w),
+                        vec3(r_high.x, g_high.x, b_high.x), vec3(r_high.y, g_high.y, b_high.y),
+                        vec3(r_high.z, g_high.z, b_high.z), vec3(r_high.w, g_high.w, b_high.w));
+}
+
+// Irradiance [per unit of solar irradiance] from sky and ground on a surface at altitude h [m], whose normal has the
+// cosines mu with the zenith and nu with the direction to the sun.
+INLINE vec3 sample_diffuse_irradiance(sampler2D table, Atmosphere atmosphere, float h, float mu_s, float mu,
+                                      float nu) {
+    LightMoments light = sample_light_moments(table, atmosphere, h, mu_s);
+    return power32(light.root) * irradiance_gain(light_by_degree(light, sunward_direction(mu, mu_s, nu)));
+}
+
+SHADER_NAMESPACE_END
+#endif

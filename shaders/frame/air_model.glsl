@@ -1,0 +1,38 @@
+// What the lighting pass asks of a model of the air. A file of shaders/models defines both functions and declares the
+// images that it reads, from LIGHTING_MODEL_SLOT on; the lighting pass is compiled once with each.
+// A model may read `frame` and, through frame/sun_shadow.glsl, the shadow cascades.
+#ifndef ALPENGLOW_FRAME_AIR_MODEL
+#define ALPENGLOW_FRAME_AIR_MODEL
+#include "atmosphere/geometry.glsl"
+#include "atmosphere/segment_integral.glsl"
+
+// A pixel's ray, which starts at the camera.
+struct ViewRay {
+    ivec2 pixel;
+    vec3 direction; // unit, world axes
+    vec3 light;     // the same in the sun's frame
+    AirRay air;     // from the camera, which may be outside the air
+    float distance; // to the surface [m]; negative: sky
+};
+
+// What lights a surface, for a unit of the sun's irradiance above the air.
+struct SurfaceLight {
+    vec3 sun; // share of the direct sun that air and planet let through; meshes shade it elsewhere
+    vec3 sky; // irradiance from everything else: the sky, and what level ground all around gives back
+    vec3 mirrored; // of that, radiance [1/sr] around the direction that the surface reflects from
+};
+
+// A surface's directions, by their cosines with the zenith and with the direction to the sun.
+struct SurfaceDirections {
+    float normal_up, normal_sun;
+    float mirror_up, mirror_sun; // middle of what its gloss reflects towards the camera
+    float alpha;                 // width of that: GGX
+};
+
+// What the air adds between the camera and the end of the ray, relative to the sun's irradiance above the air [1/sr], and
+// the share of what is behind that it lets through. The planet has air.
+AirLight air_light(ViewRay ray);
+
+SurfaceLight surface_light(AirPoint place, SurfaceDirections at);
+
+#endif

@@ -1,0 +1,15 @@
+// Passes `ambient_occlusion` and `ambient_occlusion_smooth`: the share of the light from all round that surfaces nearby leave.
+#ifndef ALPENGLOW_INTEROP_AMBIENT_OCCLUSION_H
+#define ALPENGLOW_INTEROP_AMBIENT_OCCLUSION_H
+#include "interop/frame.h"
+
+#define AMBIENT_OCCLUSION_FRAME_SLOT 0  // uniform buffer: FrameConstants
+#define AMBIENT_OCCLUSION_NORMAL_SLOT 1 // in, the G-buffer: interop/gbuffer.h
+#define AMBIENT_OCCLUSION_DEPTH_SLOT 2
+#define AMBIENT_OCCLUSION_RESULT_SLOT 3 // out, r32f: 0 to 1, with the noise of few directions
+
+#define AMBIENT_OCCLUSION_NOISY_SLOT 0 // in
+#define AMBIENT_OCCLUSION_NEAR_SLOT 1  // in, depth
+#define AMBIENT_OCCLUSION_SMOOTH_SLOT 2 // out, r32f: 0 to 1
+
+#endif

@@ -1,0 +1,20 @@
+// Model `march`: the ray is marched, the sun's way and all further orders of scattering come from tables.
+#include "atmosphere/inscattering.glsl"
+#include "frame/air_model.glsl"
+#include "interop/models/march.h"
+
+layout(set = 0, binding = MARCH_TRANSMITTANCE_SLOT) uniform sampler2D transmittance_table;
+layout(set = 0, binding = MARCH_MULTIPLE_SCATTERING_SLOT) uniform sampler2D multiple_scattering_table;
+
+#include "frame/air_march.glsl"
+
+AirLight air_light(ViewRay ray) { return march_air(ray.pixel, ray.air, ray.light, ray.distance); }
+
+SurfaceLight surface_light(AirPoint place, SurfaceDirections at) {
+    vec3 sun = sample_sun_transmittance(transmittance_table, frame.atmosphere, place.altitude, place.mu_s);
+    LightMoments around = sample_light_moments(multiple_scattering_table, frame.atmosphere, place.altitude, place.mu_s);
+    LightByDegree normal = light_by_degree(around, sunward_direction(at.normal_up, place.mu_s, at.normal_sun));
+    LightByDegree mirror = light_by_degree(around, sunward_direction(at.mirror_up, place.mu_s, at.mirror_sun));
+    vec3 mean = power32(around.root);
+    return SurfaceLight(sun, mean * irradiance_gain(normal), mean * lobe_gain(mirror, at.alpha));
+}

@@ -1,0 +1,24 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+#include "interop/multiple_scattering.h"
+
+layout(set = 0, binding = FIRST_ORDER_FRAME_SLOT, scalar) uniform Frame { FrameConstants frame; };
+layout(set = 0, binding = FIRST_ORDER_TRANSMITTANCE_SLOT) uniform sampler2D transmittance_table;
+layout(set = 0, binding = FIRST_ORDER_TABLE_SLOT, rgba32f) uniform writeonly image2D table;
+
+#include "frame/node_moments.glsl"
+
+void main() {
+    Atmosphere atmosphere = frame.atmosphere;
+    vec2 place = node_altitude_sun(atmosphere);
+    clear_sums();
+    for (int i = int(gl_LocalInvocationIndex); i < gather_count(FIRST_ORDER_RAYS); i += THREADS) {
+        GatherDirection direction = gather_direction(atmosphere, FIRST_ORDER_RAYS, place.x, place.y, i);
+        AirRay ray = make_air_ray(atmosphere.ground_radius, place.x, direction.mu, place.y, direction.sunward.nu);
+        add_direction(direction, first_order_light(atmosphere, transmittance_table, ray, FIRST_ORDER_RAYS.cells));
+    }
+    barrier();
+    int channel = int(gl_LocalInvocationIndex);
+    if (channel <= 2) store_moments(channel, summed_moments(channel));
+}
