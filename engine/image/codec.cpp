@@ -120,9 +120,11 @@ void check_code_tables(std::span<std::byte const> bytes) {
                                 at(i + 1) != 0xFF;
         std::size_t const end = has_length ? i + 2 + at(i + 2) * 256 + at(i + 3) : i + 1;
         bool const holds_tables = has_length && bytes[i + 1] == tables;
-        for (std::size_t table = i + 4; holds_tables && table + 17 <= std::min(end, bytes.size());) {
+        // A table that begins inside its segment is read to its own end, and what the file lacks as zeros.
+        for (std::size_t table = i + 4; holds_tables && table < std::min(end, bytes.size());) {
             std::size_t codes = 0;
-            for (std::size_t length = 1; length <= 16; ++length) codes += at(table + length);
+            std::size_t const last = std::min(table + 16, bytes.size() - 1);
+            for (std::size_t length = table + 1; length <= last; ++length) codes += at(length);
             if (codes > 256)
                 throw Error(ErrorKind::bad_input, "picture can't be decoded: JPEG with a table of " +
                                                       std::to_string(codes) + " codes, 256 are possible");
@@ -174,6 +176,7 @@ void write_png(std::filesystem::path const& path, ByteImage const& image) { writ
 
 PictureHeader read_picture_header(std::span<std::byte const> bytes) {
     if (is_webp(bytes)) return read_webp_header(bytes);
+    check_code_tables(bytes); // headers have them before the size
     int width = 0, height = 0, channels = 0;
     if (!stbi_info_from_memory(data_of(bytes), length_of(bytes), &width, &height, &channels)) fail();
     PictureHeader header;
@@ -186,7 +189,6 @@ PictureHeader read_picture_header(std::span<std::byte const> bytes) {
 ByteImage decode_picture(std::span<std::byte const> bytes) {
     if (is_webp(bytes)) return decode_webp(bytes);
     check_scans(bytes);
-    check_code_tables(bytes);
     StbMemory const bound(bytes);
     int width = 0, height = 0, channels = 0;
     std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> const pixels(

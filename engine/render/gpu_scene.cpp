@@ -1,7 +1,6 @@
 #include "render/gpu_scene.h"
 
 #include "gpu/transfer.h"
-#include "scene/scene_albedo.h"
 
 #include <algorithm>
 
@@ -66,7 +65,7 @@ shader::MeshDraw make_mesh_draw(glm::dmat4 const& world_from_mesh, glm::dmat4 co
 
 GpuScene::GpuScene(Device const& device, Scene const& scene, Placement const& placement, double planet_radius)
     : device_(device), world_from_scene_(alpenglow::world_from_scene(placement, planet_radius)),
-      planet_radius_(planet_radius), bounds_(scene.bounds), albedo_(albedo_from_above(scene)) {
+      planet_radius_(planet_radius), bounds_(scene.bounds) {
     Staging staging(device);
     materials_ = std::make_unique<MaterialSets>(staging, scene);
     upload_meshes(staging, scene);

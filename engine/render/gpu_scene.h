@@ -41,7 +41,6 @@ public:
     std::size_t triangles() const { return triangles_; }
     Box const& bounds() const { return bounds_; } ///< scene frame
     glm::dmat4 const& world_from_scene() const { return world_from_scene_; }
-    glm::vec3 const& albedo() const { return albedo_; } ///< as seen from above: scene/scene_albedo.h
     double highest_altitude() const { return highest_altitude_; } ///< [m] above the planet's radius
 
     /// Draws those of the items whose material fits into the current pass, with the matrix `projection` of
@@ -65,7 +64,6 @@ private:
     glm::dmat4 world_from_scene_;
     double planet_radius_;
     Box bounds_;
-    glm::vec3 albedo_;
     double highest_altitude_ = 0;
     std::size_t triangles_ = 0;
     bool has_masked_ = false;

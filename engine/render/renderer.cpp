@@ -2,7 +2,6 @@
 
 #include "gpu/transfer.h"
 #include "render/frame_constants.h"
-#include "render/ground_light.h"
 #include "render/models/models.h"
 #include "render/passes/exposure.h"
 
@@ -64,9 +63,7 @@ void Renderer::draw(World const& world, Settings const& settings, Extent extent,
         shadow = fit_cascades({scene_->bounds(), scene_->world_from_scene()}, world.camera, world.to_sun, wanted);
     }
     double const ceiling = scene_ ? scene_->highest_altitude() : 0.0;
-    auto constants = supersample_constants(world, settings, extent, shadow, ceiling);
-    glm::vec3 const albedo = albedo_around(world, scene_.get());
-    for (shader::FrameConstants& frame : constants) frame.atmosphere.ground_albedo = albedo;
+    auto const constants = supersample_constants(world, settings, extent, shadow, ceiling);
     AirModel const& model = air_model(settings.model);
     AirTableStore::Kept& tables = air_tables_.of(model);
     shader::Atmosphere const& air = constants.front().atmosphere;

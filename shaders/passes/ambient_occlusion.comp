@@ -24,6 +24,13 @@ vec3 pixel_ray(vec2 at) {
     return frame.ray_centre + ndc.x * frame.ray_right + ndc.y * frame.ray_up;
 }
 
+// The way in the picture, of length 1, that a point of the ray `along` goes if it moves along `side`.
+vec2 pixel_direction(vec3 along, vec3 side) {
+    vec3 change = side - along * dot(side, frame.ray_centre);
+    vec2 ndc = vec2(dot(change, frame.ray_right), dot(change, frame.ray_up)) / vec2(dot(frame.ray_right, frame.ray_right), dot(frame.ray_up, frame.ray_up));
+    return normalize(ndc / frame.inverse_size);
+}
+
 // One of sixteen values in [0, 1), each once in a square of 4 x 4 pixels.
 float interleaved(ivec2 pixel) {
     ivec2 p = pixel & 3;
@@ -31,9 +38,10 @@ float interleaved(ivec2 pixel) {
     return (float(ordered) + 0.5) / 16.0;
 }
 
-// Cosine with the direction to the camera of the highest thing to one side, at least `horizon`.
-float highest(vec3 place, vec3 to_camera, vec2 from, vec2 towards, float offset, float reach, float horizon) {
-    float found = horizon;
+// Sine of the elevation above the surface of the highest thing to one side. Measured from the surface and not in the plane: pixels
+// lie a little beside it.
+float highest(vec3 place, vec3 normal, vec2 from, vec2 towards, float offset, float reach) {
+    float found = 0.0;
     vec2 size = 1.0 / frame.inverse_size;
     for (int i = 0; i < STEPS; ++i) {
         float share = (float(i) + offset) / float(STEPS);
@@ -43,8 +51,7 @@ float highest(vec3 place, vec3 to_camera, vec2 from, vec2 towards, float offset,
         vec3 apart = pixel_ray(at) * (frame.near_plane / max(depth, 1e-30)) - place;
         float length2 = dot(apart, apart);
         float trust = inside && depth > 0.0 ? clamp(2.0 - 2.0 * sqrt(length2) / reach, 0.0, 1.0) : 0.0;
-        float cosine = dot(apart, to_camera) * inversesqrt(max(length2, 1e-12));
-        found = max(found, mix(horizon, cosine, trust));
+        found = max(found, trust * dot(apart, normal) * inversesqrt(max(length2, 1e-12)));
     }
     return found;
 }
@@ -59,23 +66,22 @@ float visibility(ivec2 pixel, float depth) {
     vec3 along = pixel_ray(from);
     float distance = frame.near_plane / depth;
     vec3 to_camera = -normalize(along);
-    // A little towards the camera, so that a plane does not hide itself.
-    vec3 place = along * (distance * 0.9999);
+    vec3 place = along * distance;
     vec3 normal = unit_from_octahedral(texelFetch(normal_image, pixel, 0).xy);
     float pixels = REACH / frame.inverse_size.y, reach = 2.0 * REACH * length(frame.ray_up) * distance;
     float turn = interleaved(pixel), offset = fract(turn * 4.0 + 0.125);
+    vec3 level = normalize(frame.ray_right - dot(frame.ray_right, to_camera) * to_camera);
     float sum = 0.0;
     for (int i = 0; i < PLANES; ++i) {
         float angle = PI * (float(i) + turn) / float(PLANES);
-        vec2 towards = vec2(cos(angle), sin(angle));
-        vec3 across = towards.x * normalize(frame.ray_right) + towards.y * normalize(frame.ray_up);
-        vec3 side = normalize(across - dot(across, to_camera) * to_camera);
+        vec3 side = cos(angle) * level + sin(angle) * cross(to_camera, level);
+        vec2 towards = pixel_direction(along, side);
         vec3 in_plane = normal - dot(normal, cross(side, to_camera)) * cross(side, to_camera);
-        float share = length(in_plane);
+        float share = max(length(in_plane), 1e-3);
         float tilt = atan(dot(in_plane, side), dot(in_plane, to_camera));
-        float right = acos(clamp(highest(place, to_camera, from, towards * pixels, offset, reach, cos(tilt + 0.5 * PI)), -1.0, 1.0));
-        float left = -acos(clamp(highest(place, to_camera, from, -towards * pixels, offset, reach, cos(tilt - 0.5 * PI)), -1.0, 1.0));
-        sum += share * (seen_to_one_side(tilt + min(right - tilt, 0.5 * PI), tilt) + seen_to_one_side(tilt + max(left - tilt, -0.5 * PI), tilt));
+        float right = asin(min(highest(place, normal, from, towards * pixels, offset, reach) / share, 1.0));
+        float left = asin(min(highest(place, normal, from, -towards * pixels, offset, reach) / share, 1.0));
+        sum += share * (seen_to_one_side(tilt + 0.5 * PI - right, tilt) + seen_to_one_side(tilt - 0.5 * PI + left, tilt));
     }
     return clamp(sum / float(PLANES), 0.0, 1.0);
 }

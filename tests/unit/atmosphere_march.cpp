@@ -71,9 +71,9 @@ TEST(MarchSamples, edges_are_even_in_the_measure) {
         test::reference::Ray const exact{R, c.h0, c.mu};
         double const closest = exact.r0() * std::sqrt(1 - exact.mu0 * exact.mu0) - R;
         double const lowest_at = std::clamp<double>(-exact.r0() * exact.mu0, c.begin, c.end), lowest = exact.altitude(lowest_at);
-        double const k = 0.25 * std::sqrt(-std::expm1(-std::max(0.0, lowest - closest) / 27e3));
+        double const k = 0.25 * std::sqrt(-std::expm1(-std::max(0.0, lowest - closest) / 30e3));
         auto const measure = [&](double t) {
-            double const p = -std::expm1(-std::max(0.0, exact.altitude(t) - lowest) / 27e3);
+            double const p = -std::expm1(-std::max(0.0, exact.altitude(t) - lowest) / 30e3);
             double const d = (std::sqrt(k * k + (1 - k * k) * p) - k) / (1 - k * k);
             return t < lowest_at ? -d : d;
         };

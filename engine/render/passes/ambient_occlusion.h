@@ -1,7 +1,6 @@
 #pragma once
 
 #include "render/frame.h"
-#include "render/passes/gbuffer.h"
 
 namespace alpenglow {
 
