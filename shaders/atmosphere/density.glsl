@@ -8,7 +8,7 @@
 #ifdef __cplusplus
 #define AIR_CONTENT(atmosphere) (atmosphere).content
 #else
-#include "frame/frame_block.glsl"
+#include "interop/frame_block.glsl"
 #define AIR_CONTENT(atmosphere) frame.air_content
 layout(constant_id = AIR_COMPOSITION_LOW_ID) const int AIR_COMPOSITION_LOW = 0;
 layout(constant_id = AIR_COMPOSITION_HIGH_ID) const int AIR_COMPOSITION_HIGH = 0;

@@ -21,6 +21,8 @@ std::optional<SettingValue> another_value(Settings const& settings, SettingInfo 
     if (!choices.empty() && std::holds_alternative<std::string>(now)) return choices.front();
     if (!choices.empty()) return std::stoi(choices.front());
     if (info.name == "show") return "lit";
+    if (info.name == "air_without") return "ozone";
+    if (info.name == "air_phases") return "aerosol=henyey_greenstein:0.6";
     if (int const* const whole = std::get_if<int>(&now)) return std::max(int(info.smallest), *whole / 2);
     if (double const* const number = std::get_if<double>(&now))
         return std::clamp(*number == 0 ? 1 : *number / 2, info.smallest, info.largest);

@@ -9,7 +9,7 @@ using namespace alpenglow;
 namespace {
 
 AirTableStep step(char const* pass, std::uint32_t groups) {
-    return {.pass = pass, .shader = {}, .groups = groups, .frame_slot = 0, .reads = {}, .makes = {0, 1}};
+    return {.pass = pass, .shader = {}, .groups = groups, .reads = {}, .makes = {0, 1}};
 }
 
 std::vector<AirTableStep> const STEPS{step("cheap", 100), step("dear", 20), step("dear", 20)};

@@ -61,7 +61,7 @@ TEST(Settings, bad_ones_are_wrong_use_and_change_nothing) {
     struct Case { std::string name, value; std::vector<std::string> parts; };
     std::vector<Case> const cases{
         {"sampels", "8", {"sampels", "did you mean samples?"}},
-        {"zzzzzzzzzz", "8", {"zzzzzzzzzz", "the settings are air, model, samples"}},
+        {"zzzzzzzzzz", "8", {"zzzzzzzzzz", "the settings are air, model, air_without, air_phases, samples"}},
         {"samples", "3", {"samples", "\"3\"", "4 to 1024"}},
         {"samples", "1025", {"4 to 1024"}},
         {"samples", "8.5", {"4 to 1024"}},
