@@ -85,9 +85,10 @@ vec3 surface_radiance(ivec2 pixel, PixelRay ray, AirPoint place, vec3 light) {
         visibility *= smoothstep(0.0, 0.02, dot(facing, frame.to_sun)); // what turns away from the sun is in its own shadow
     }
 
+    float shaded_sky = has_flag(FRAME_HAS_AIR) ? mix(SHADED_SKY, 1.0, visibility) : 1.0; // without air no sky is bright around the sun
     float n_v = clamp(dot(shading, to_camera), 0.0, 1.0);
     vec3 radiance = reflect_light(surface, shading, to_camera, frame.to_sun) * lit.sun * visibility +
-                    reflect_ambient(surface, n_v, lit.sky, lit.mirrored) * open_share(surface, albedo.a * texelFetch(open_image, pixel, 0).r) * mix(SHADED_SKY, 1.0, visibility);
+                    reflect_ambient(surface, n_v, lit.sky, lit.mirrored) * open_share(surface, albedo.a * texelFetch(open_image, pixel, 0).r) * shaded_sky;
     return radiance * frame.atmosphere.solar_irradiance + texelFetch(emission_image, pixel, 0).rgb;
 }
 

@@ -113,10 +113,13 @@ TEST_F(FlyWindow, keys_change_the_picture) {
     xdotool({"keydown", "w", "sleep", "0.5", "keyup", "w"});
     ByteImage const ahead = still_screen();
     EXPECT_GT(change(ahead, plain), 0.02);
-    EXPECT_GT(change(after_key("c"), ahead), 0.2); // the cascades
-    after_key("c");
-    EXPECT_GT(change(after_key("shift+bracketright"), ahead), 0.1); // the sun, an hour on
-    ByteImage const before_turn = screen();
+    xdotool({"key", "c"}); // the cascades' colours
+    EXPECT_TRUE(wait_until([&] { return change(screen(), ahead) > 0.2; }, PATIENCE)) << log();
+    xdotool({"key", "c"});
+    EXPECT_TRUE(wait_until([&] { return change(screen(), ahead) < 0.02; }, PATIENCE)) << log();
+    xdotool({"key", "shift+bracketright"}); // the sun, an hour on
+    EXPECT_TRUE(wait_until([&] { return change(screen(), ahead) > 0.1; }, PATIENCE)) << log();
+    ByteImage const before_turn = still_screen();
     xdotool({"mousemove", "160", "90", "mousedown", "1", "sleep", "0.4", "mousemove_relative", "60", "20", "sleep", "0.4", "mouseup", "1"});
     EXPECT_GT(change(still_screen(), before_turn), 0.1); // the mouse turns the camera
     leave();
