@@ -39,6 +39,9 @@ glm::dvec3 variance_around(FloatImage const& variance, std::uint32_t x, std::uin
     return sum / double(count);
 }
 
+/// No pixel counts for more: at dawn one path in hundreds is worth twenty of the deviations that a few passes know of.
+constexpr double MOST_DEVIATIONS = 6;
+
 /// How far some pixels of a stored picture are from what another seed makes of them, in standard deviations.
 struct Disagreement {
     double chi_squared = 0; ///< mean over pixels and channels of (difference / deviation)^2; 1 where both are right
@@ -58,7 +61,8 @@ Disagreement disagreement(RadianceRecord const& record, TracedView const& view, 
         glm::dvec3 const traced = trace_pixel(view.tracer(), view.camera(), size, x, y, OTHER_SEED, 0).radiance;
         float const* const stored = record.radiance.at(x, y);
         glm::dvec3 const variance = variance_around(*record.variance, x, y) * (1.0 + passes) + 1e-30;
-        glm::dvec3 const deviations = (traced - glm::dvec3(stored[0], stored[1], stored[2])) / sqrt(variance);
+        glm::dvec3 const found = (traced - glm::dvec3(stored[0], stored[1], stored[2])) / sqrt(variance);
+        glm::dvec3 const deviations = clamp(found, -MOST_DEVIATIONS, MOST_DEVIATIONS);
         squares += deviations * deviations;
         differences += deviations;
     }

@@ -79,7 +79,7 @@ std::vector<Refusal> rows() {
         bad_planet("planet_radius_beyond_double", planet("1e999"), {"1e999"}),
         bad_planet("planet_unknown_key", planet("6360000", R"(, "moons": 2)"), {"moons"}),
         bad_planet("planet_radius_of_wrong_type", planet("[1]"), {"/radius"}),
-        bad_planet("planet_air_without_a_top", planet("6360000", R"(, "air": {"top_altitude": 0, "rayleigh": {"scattering": [0, 0, 0], "scale_height": 8000}})"),
+        bad_planet("planet_air_without_a_top", planet("6360000", R"(, "air": {"top_altitude": 0, "components": [{"name": "gas", "scattering": [0, 0, 0], "profile": {"scale_height": 8000}}]})"),
                    {"/air/top_altitude"}),
         bad_planet("planet_not_json", "[", {"not JSON"}),
         {"planet_of_unknown_name", {"render", "view.json", "--planet", "mars", "--out", "out"}, 3, {"mars"}, {{"view.json", view(CAMERA)}}},
