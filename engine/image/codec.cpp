@@ -134,6 +134,29 @@ void check_code_tables(std::span<std::byte const> bytes) {
     }
 }
 
+/// The file without PNG chunks of picture data that hold nothing, which are allowed: stb_image copies 0 bytes to a null
+/// pointer for the first. Empty where there is none of them, or no PNG.
+std::vector<std::byte> without_empty_data(std::span<std::byte const> bytes) {
+    constexpr std::size_t signature = 8, frame = 12; // length, type and checksum
+    constexpr unsigned char png[signature] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
+    constexpr unsigned char nothing[8] = {0, 0, 0, 0, 'I', 'D', 'A', 'T'};
+    if (bytes.size() < signature || std::memcmp(bytes.data(), png, signature) != 0) return {};
+    std::vector<std::byte> kept;
+    for (std::size_t i = signature; i < bytes.size();) {
+        std::size_t length = 0;
+        for (std::size_t k = 0; k < 4 && i + k < bytes.size(); ++k)
+            length = length * 256 + std::to_integer<std::size_t>(bytes[i + k]);
+        std::size_t const end = i + std::min(length + frame, bytes.size() - i);
+        bool const empty = end - i >= sizeof nothing && std::memcmp(&bytes[i], nothing, sizeof nothing) == 0;
+        if (empty && kept.empty())
+            kept.assign(bytes.begin(), bytes.begin() + std::ptrdiff_t(i));
+        else if (!empty && !kept.empty())
+            kept.insert(kept.end(), bytes.begin() + std::ptrdiff_t(i), bytes.begin() + std::ptrdiff_t(end));
+        i = end;
+    }
+    return kept;
+}
+
 void append(void* context, void* data, int size) {
     auto& bytes = *static_cast<std::vector<std::byte>*>(context);
     auto const* const first = static_cast<std::byte const*>(data);
@@ -189,6 +212,8 @@ PictureHeader read_picture_header(std::span<std::byte const> bytes) {
 ByteImage decode_picture(std::span<std::byte const> bytes) {
     if (is_webp(bytes)) return decode_webp(bytes);
     check_scans(bytes);
+    std::vector<std::byte> const mended = without_empty_data(bytes);
+    if (!mended.empty()) bytes = mended;
     StbMemory const bound(bytes);
     int width = 0, height = 0, channels = 0;
     std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> const pixels(
@@ -201,6 +226,8 @@ ByteImage decode_picture(std::span<std::byte const> bytes) {
 }
 
 DeepImage decode_deep_picture(std::span<std::byte const> bytes) {
+    std::vector<std::byte> const mended = without_empty_data(bytes);
+    if (!mended.empty()) bytes = mended;
     int width = 0, height = 0, channels = 0;
     std::unique_ptr<stbi_us, decltype(&stbi_image_free)> const pixels(
         stbi_load_16_from_memory(data_of(bytes), length_of(bytes), &width, &height, &channels, 4), stbi_image_free);

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -174,4 +175,20 @@ TEST(Codec, jpeg_tables_of_too_many_codes_are_refused) {
         test::expect_error(ErrorKind::bad_input, {"a table of 272 codes"}, [&] { read_picture_header(bytes); });
         test::expect_error(ErrorKind::bad_input, {"a table of 272 codes"}, [&] { decode_picture(bytes); });
     }
+}
+
+/// stb_image alone reads such a file too, but by way of a null pointer, which the sanitizers report.
+TEST(Codec, png_with_empty_chunks_of_data_is_read) {
+    ByteImage const image = noise({9, 5}, 255);
+    std::vector<std::byte> bytes = encode_png(image);
+    constexpr std::array<int, 12> empty{0, 0, 0, 0, 'I', 'D', 'A', 'T', 0x35, 0xAF, 0x06, 0x1E};
+    std::vector<std::byte> chunk;
+    for (int const value : empty) chunk.push_back(static_cast<std::byte>(value));
+    constexpr std::ptrdiff_t behind_header = 33, end_chunk = 12;
+    bytes.insert(bytes.end() - end_chunk, chunk.begin(), chunk.end());
+    bytes.insert(bytes.begin() + behind_header, chunk.begin(), chunk.end());
+    EXPECT_EQ(compare(decode_picture(bytes), image, 0).largest, 0);
+    EXPECT_EQ(decode_deep_picture(bytes).rgba.front(), image.rgba.front() * 257);
+    bytes.resize(bytes.size() - end_chunk - 3); // ends inside an empty chunk
+    EXPECT_THROW(decode_picture(bytes), Error);
 }
