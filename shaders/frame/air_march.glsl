@@ -6,6 +6,8 @@
 #include "atmosphere/inscattering.glsl"
 #include "frame/sun_shadow.glsl"
 
+layout(constant_id = 0) const int MARCH_ORDERS = MARCH_ALL_ORDERS;
+
 // Distances from the ray's origin [m]; empty where end <= begin.
 struct Span {
     float begin, end;
@@ -48,7 +50,7 @@ void add_air_cell(inout AirLight light, Atmosphere atmosphere, RayPhases phases,
     vec3 sun = seen * sample_sun_transmittance_along(transmittance_table, atmosphere, altitude_at(ray, t), ray.sun_along + t * ray.nu);
     DiffuseLight diffuse = shaded_light(atmosphere, diffuse_light_in(atmosphere, run, middle + air.centre * per_cell), seen);
     vec3 extinction = diffuse_extinction(atmosphere, air.mean);
-    if ((frame.flags & FRAME_MULTIPLE_SCATTERING) == 0) {
+    if (MARCH_ORDERS == MARCH_ONE_ORDER) {
         diffuse = no_diffuse_light();
         extinction = air.mean.extinction;
     }
