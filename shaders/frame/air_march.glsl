@@ -64,8 +64,9 @@ DiffuseRun diffuse_run(Atmosphere atmosphere, AirRay ray, float near, float midd
                       diffuse_node(multiple_scattering_table, atmosphere, ray, far));
 }
 
-// The loops of the march test at their end, and an empty stretch is one cell of no length: software devices run the body of a loop
-// that tests at its start once more than it turns, all of what is inside it too.
+// The loops of the march turn as often for every ray of a subgroup, and test at their end; a ray that is through goes on with cells of
+// no length. Software devices run the body of a loop that tests at its start once more than it turns, all of what is inside it too;
+// and lavapipe (22.3) gives a ray that left a loop early the values of the last turn.
 
 // `n` even cells, each looking into the cascades at its share `dither`.
 AirLight march_shaded(Atmosphere atmosphere, AirRay ray, RayPhases phases, vec3 light, float entry, Span span, int n, float dither) {
@@ -73,17 +74,19 @@ AirLight march_shaded(Atmosphere atmosphere, AirRay ray, RayPhases phases, vec3 
     float size = (span.end - span.begin) / float(max(n, 1));
     int i = 0;
     do {
-        int first = i, next = min(first + RUN, max(n, 1));
-        float per_cell = 1.0 / float(next - first), from = span.begin + float(first) * size, to = span.begin + float(next) * size;
+        int first = i, next = min(first + RUN, n);
+        float per_cell = 1.0 / float(max(next - first, 1)), from = span.begin + float(first) * size, to = span.begin + float(next) * size;
         DiffuseRun run = diffuse_run(atmosphere, ray, from, 0.5 * (from + to), to);
         Medium edge = medium_at(atmosphere, altitude_at(ray, from));
         do {
-            float begin = span.begin + float(i) * size;
-            MarchCell cell = MarchCell(begin, begin + 0.5 * size, begin + size);
-            float seen = air_visibility(light * (begin + dither * size + entry));
+            float begin = span.begin + float(min(i, next)) * size, cell_size = i < next ? size : 0.0;
+            MarchCell cell = MarchCell(begin, begin + 0.5 * cell_size, begin + cell_size);
+            float seen = air_visibility(light * (begin + dither * cell_size + entry));
             add_air_cell(result, atmosphere, phases, ray, cell, run, (float(i - first) + 0.5) * per_cell, per_cell, seen, edge);
-        } while (++i < next);
-    } while (i < n);
+            ++i;
+        } while (subgroupAny(i < next));
+        i = next;
+    } while (subgroupAny(i < n));
     return result;
 }
 
@@ -104,16 +107,19 @@ AirLight march_around(Atmosphere atmosphere, AirRay ray, RayPhases phases, Clear
     }
     int i = 0;
     do {
-        int n = max(stretch.count, 1), first = i, next = min(first + RUN, n);
-        float per_cell = 1.0 / float(next - first), from = march_distance(stretch.cells, float(first) / float(n));
+        int n = max(stretch.count, 1), first = i, next = min(first + RUN, stretch.count);
+        float per_cell = 1.0 / float(max(next - first, 1)), from = march_distance(stretch.cells, float(first) / float(n));
         DiffuseRun run = diffuse_run(atmosphere, ray, from, march_distance(stretch.cells, 0.5 * float(first + next) / float(n)),
                                      march_distance(stretch.cells, float(next) / float(n)));
         Medium edge = medium_at(atmosphere, altitude_at(ray, from));
         do {
             MarchCell cell = march_cell_from(stretch.cells, from, i, n);
+            if (i >= next) cell = MarchCell(from, from, from);
             from = cell.end;
             add_air_cell(result, atmosphere, phases, ray, cell, run, (float(i - first) + 0.5) * per_cell, per_cell, 1.0, edge);
-        } while (++i < next);
+            ++i;
+        } while (subgroupAny(i < next));
+        i = next;
         if (i >= stretch.count && !passed) {
             result.inscattered += result.transmittance * between.inscattered;
             result.transmittance *= between.transmittance;
@@ -121,7 +127,7 @@ AirLight march_around(Atmosphere atmosphere, AirRay ray, RayPhases phases, Clear
             passed = true;
             i = 0;
         }
-    } while (i < stretch.count);
+    } while (subgroupAny(i < stretch.count));
     return result;
 }
 

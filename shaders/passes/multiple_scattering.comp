@@ -24,7 +24,7 @@ void main() {
     vec2 place = node_altitude_sun(atmosphere);
     clear_sums();
     int i = int(gl_LocalInvocationIndex);
-    do {
+    do { // frame/air_march.glsl tells why loops test at their end
         GatherDirection direction = gather_direction(atmosphere, HIGHER_ORDER_RAYS, place.x, place.y, i);
         AirRay ray = make_air_ray(atmosphere.ground_radius, place.x, direction.mu, place.y, direction.sunward.nu);
         add_direction(direction, scattered_light(atmosphere, before_table, ray, HIGHER_ORDER_RAYS.cells));
