@@ -45,6 +45,7 @@ std::vector<std::string> missing_abilities(DeviceAbilities const& abilities, boo
     note(lacks, abilities.vulkan13.maintenance4, "maintenance4");
     note(lacks, abilities.vulkan12.scalarBlockLayout, "scalarBlockLayout");
     note(lacks, abilities.features.features.depthClamp, "depthClamp");
+    note(lacks, abilities.subgroup_votes, "subgroup votes in compute shaders");
     auto const has = [&](char const* name) {
         return std::ranges::find(abilities.extensions, name) != abilities.extensions.end();
     };
@@ -69,6 +70,17 @@ std::optional<std::uint32_t> find_queue_family(VkPhysicalDevice device) {
     return {};
 }
 
+bool has_subgroup_votes(VkPhysicalDevice device) {
+    VkPhysicalDeviceVulkan11Properties subgroups{};
+    subgroups.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_1_PROPERTIES;
+    VkPhysicalDeviceProperties2 properties{};
+    properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
+    properties.pNext = &subgroups;
+    vkGetPhysicalDeviceProperties2(device, &properties);
+    return (subgroups.subgroupSupportedOperations & VK_SUBGROUP_FEATURE_VOTE_BIT) != 0 &&
+           (subgroups.subgroupSupportedStages & VK_SHADER_STAGE_COMPUTE_BIT) != 0;
+}
+
 DeviceAbilities read_abilities(VkPhysicalDevice device, VkSurfaceKHR surface) {
     DeviceAbilities abilities;
     VkPhysicalDeviceProperties properties{};
@@ -81,6 +93,7 @@ DeviceAbilities read_abilities(VkPhysicalDevice device, VkSurfaceKHR surface) {
         abilities.features.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
         abilities.features.pNext = &abilities.vulkan12;
         vkGetPhysicalDeviceFeatures2(device, &abilities.features);
+        abilities.subgroup_votes = has_subgroup_votes(device);
     }
     abilities.features.pNext = abilities.vulkan12.pNext = abilities.vulkan13.pNext = nullptr;
 

@@ -36,6 +36,7 @@ struct DeviceAbilities {
     std::vector<std::string> extensions;
     std::vector<std::string> missing_formats;    ///< "FORMAT can't be USED" for each that is needed
     bool graphics_queue = false;
+    bool subgroup_votes = false; ///< in compute shaders
     bool presents = true;
 };
 

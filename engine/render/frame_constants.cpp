@@ -56,7 +56,6 @@ int flags_of(World const& world, Settings const& settings, bool cascades) {
     set(world.planet.has_air && settings.air, FRAME_AIR);
     set(settings.shafts && cascades, FRAME_SHAFTS);
     set(settings.shadows && cascades, FRAME_SHADOWS);
-    set(settings.multiple_scattering, FRAME_MULTIPLE_SCATTERING);
     set(settings.march_dither, FRAME_MARCH_DITHER);
     set(settings.sun_disc, FRAME_SUN_DISC);
     set(world.studio.has_value(), FRAME_STUDIO);

@@ -35,7 +35,8 @@ INLINE AirLight compute_air_light(IN(Atmosphere) atmosphere, sampler2D transmitt
     RayPhases phases = phases_of(atmosphere, ray.nu);
     AirLight light = no_air_light();
     float from = begin;
-    for (int i = 0; i < n; ++i) {
+    int i = 0;
+    do {
         MarchCell cell = march_cell_from(cells, from, i, n);
         from = cell.end;
         AirPoint point = air_point_at(ray, cell.middle);
@@ -44,7 +45,7 @@ INLINE AirLight compute_air_light(IN(Atmosphere) atmosphere, sampler2D transmitt
         DiffuseLight diffuse = sample_diffuse_light(multiple_scattering_table, atmosphere, point, ray.nu);
         vec3 source = inscattering_source(medium, phases, sun, diffuse);
         add_cell(light, source, diffuse_extinction(atmosphere, medium), cell.end - cell.begin);
-    }
+    } while (++i < n);
     return light;
 }
 

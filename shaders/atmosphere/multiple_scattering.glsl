@@ -73,7 +73,8 @@ INLINE vec3 first_order_light(IN(Atmosphere) atmosphere, sampler2D transmittance
     AirLight light = no_air_light();
     float from = segment.begin;
     Medium edge = medium_at(atmosphere, altitude_at(ray, from));
-    for (int i = 0; i < n; ++i) {
+    int i = 0;
+    do {
         MarchCell cell = march_cell_from(cells, from, i, n);
         from = cell.end;
         Medium next = medium_at(atmosphere, altitude_at(ray, cell.end));
@@ -84,7 +85,7 @@ INLINE vec3 first_order_light(IN(Atmosphere) atmosphere, sampler2D transmittance
         vec3 sun = sample_sun_transmittance(transmittance_table, atmosphere, point.altitude, point.mu_s);
         vec3 source = directed_scattering(air.mean, phases) * sun;
         add_cell(light, source, diffuse_extinction(atmosphere, air.mean), cell_length);
-    }
+    } while (++i < n);
     AirPoint last = air_point_at(ray, segment.end);
     vec3 sun = sample_sun_transmittance(transmittance_table, atmosphere, 0.0f, last.mu_s) * max(last.mu_s, 0.0f);
     vec3 ground = ground_radiance(atmosphere, sun);
@@ -100,13 +101,14 @@ INLINE vec3 scattered_light(IN(Atmosphere) atmosphere, sampler2D table, AirRay r
     Medium edge = medium_at(atmosphere, altitude_at(ray, from));
     DiffuseRun run;
     run.far = diffuse_node(table, atmosphere, ray, from);
-    for (int first = 0; first < n; first += RUN) {
-        int end = min(first + RUN, n);
+    int i = 0;
+    do {
+        int first = i, end = min(first + RUN, n);
         float per_cell = 1.0f / float(end - first);
         run.near = run.far;
         run.middle = diffuse_node(table, atmosphere, ray, march_distance(cells, 0.5f * float(first + end) / float(n)));
         run.far = diffuse_node(table, atmosphere, ray, march_distance(cells, float(end) / float(n)));
-        for (int i = first; i < end; ++i) {
+        do {
             MarchCell cell = march_cell_from(cells, from, i, n);
             from = cell.end;
             Medium next = medium_at(atmosphere, altitude_at(ray, cell.end));
@@ -116,8 +118,8 @@ INLINE vec3 scattered_light(IN(Atmosphere) atmosphere, sampler2D table, AirRay r
                 diffuse_light_in(atmosphere, run, (float(i - first) + 0.5f + air.centre) * per_cell);
             vec3 source = diffuse_source(air.mean, diffuse);
             add_cell(light, source, diffuse_extinction(atmosphere, air.mean), cell.end - cell.begin);
-        }
-    }
+        } while (++i < end);
+    } while (i < n);
     float mu_s = air_point_at(ray, segment.end).mu_s;
     vec3 irradiance = sample_diffuse_irradiance(table, atmosphere, 0.0f, mu_s, 1.0f, mu_s);
     return behind_air(light, ground_radiance(atmosphere, irradiance) * vec3(segment.hits_ground ? 1.0f : 0.0f));

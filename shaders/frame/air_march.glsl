@@ -6,6 +6,8 @@
 #include "atmosphere/inscattering.glsl"
 #include "frame/sun_shadow.glsl"
 
+layout(constant_id = 0) const int MARCH_ORDERS = MARCH_ALL_ORDERS;
+
 // Distances from the ray's origin [m]; empty where end <= begin.
 struct Span {
     float begin, end;
@@ -48,70 +50,84 @@ void add_air_cell(inout AirLight light, Atmosphere atmosphere, RayPhases phases,
     vec3 sun = seen * sample_sun_transmittance_along(transmittance_table, atmosphere, altitude_at(ray, t), ray.sun_along + t * ray.nu);
     DiffuseLight diffuse = shaded_light(atmosphere, diffuse_light_in(atmosphere, run, middle + air.centre * per_cell), seen);
     vec3 extinction = diffuse_extinction(atmosphere, air.mean);
-    if ((frame.flags & FRAME_MULTIPLE_SCATTERING) == 0) {
+    if (MARCH_ORDERS == MARCH_ONE_ORDER) {
         diffuse = no_diffuse_light();
         extinction = air.mean.extinction;
     }
     add_cell(light, inscattering_source(air.mean, phases, sun, diffuse), extinction, cell_length);
 }
 
+// The diffuse light of the run of cells between three distances [m].
+DiffuseRun diffuse_run(Atmosphere atmosphere, AirRay ray, float near, float middle, float far) {
+    return DiffuseRun(diffuse_node(multiple_scattering_table, atmosphere, ray, near),
+                      diffuse_node(multiple_scattering_table, atmosphere, ray, middle),
+                      diffuse_node(multiple_scattering_table, atmosphere, ray, far));
+}
+
+// The loops of the march turn as often for every ray of a subgroup, and test at their end; a ray that is through goes on with cells of
+// no length. Software devices run the body of a loop that tests at its start once more than it turns, all of what is inside it too;
+// and lavapipe (22.3) gives a ray that left a loop early the values of the last turn.
+
 // `n` even cells, each looking into the cascades at its share `dither`.
 AirLight march_shaded(Atmosphere atmosphere, AirRay ray, RayPhases phases, vec3 light, float entry, Span span, int n, float dither) {
     AirLight result = no_air_light();
     float size = (span.end - span.begin) / float(max(n, 1));
-    Medium edge = medium_at(atmosphere, altitude_at(ray, span.begin));
-    DiffuseRun run;
-    run.far = diffuse_node(multiple_scattering_table, atmosphere, ray, span.begin);
-    for (int first = 0; first < n; first += RUN) {
-        int next = min(first + RUN, n);
-        float per_cell = 1.0 / float(next - first);
-        run.near = run.far;
-        run.middle = diffuse_node(multiple_scattering_table, atmosphere, ray, span.begin + 0.5 * float(first + next) * size);
-        run.far = diffuse_node(multiple_scattering_table, atmosphere, ray, span.begin + float(next) * size);
-        for (int i = first; i < next; ++i) {
-            float begin = span.begin + float(i) * size;
-            MarchCell cell = MarchCell(begin, begin + 0.5 * size, begin + size);
-            float seen = air_visibility(light * (begin + dither * size + entry));
+    int i = 0;
+    do {
+        int first = i, next = min(first + RUN, n);
+        float per_cell = 1.0 / float(max(next - first, 1)), from = span.begin + float(first) * size, to = span.begin + float(next) * size;
+        DiffuseRun run = diffuse_run(atmosphere, ray, from, 0.5 * (from + to), to);
+        Medium edge = medium_at(atmosphere, altitude_at(ray, from));
+        do {
+            float begin = span.begin + float(min(i, next)) * size, cell_size = i < next ? size : 0.0;
+            MarchCell cell = MarchCell(begin, begin + 0.5 * cell_size, begin + cell_size);
+            float seen = air_visibility(light * (begin + dither * cell_size + entry));
             add_air_cell(result, atmosphere, phases, ray, cell, run, (float(i - first) + 0.5) * per_cell, per_cell, seen, edge);
-        }
-    }
+            ++i;
+        } while (subgroupAny(i < next));
+        i = next;
+    } while (subgroupAny(i < n));
     return result;
 }
 
-// `n` cells placed by altitude, with nothing in the sun's way but the planet; added behind `result`.
-void march_clear(inout AirLight result, Atmosphere atmosphere, AirRay ray, RayPhases phases, MarchCells cells, int n) {
-    Medium edge = medium_at(atmosphere, altitude_at(ray, cells.begin));
-    DiffuseRun run;
-    run.far = diffuse_node(multiple_scattering_table, atmosphere, ray, cells.begin);
-    float from = cells.begin;
-    for (int first = 0; first < n; first += RUN) {
-        int next = min(first + RUN, n);
-        float per_cell = 1.0 / float(next - first);
-        run.near = run.far;
-        run.middle = diffuse_node(multiple_scattering_table, atmosphere, ray, march_distance(cells, 0.5 * float(first + next) / float(n)));
-        run.far = diffuse_node(multiple_scattering_table, atmosphere, ray, march_distance(cells, float(next) / float(n)));
-        for (int i = first; i < next; ++i) {
-            MarchCell cell = march_cell_from(cells, from, i, n);
+// A stretch with cells placed by altitude and nothing in the sun's way but the planet.
+struct ClearStretch {
+    MarchCells cells;
+    int count;
+};
+
+// One stretch, then `between`, then another.
+AirLight march_around(Atmosphere atmosphere, AirRay ray, RayPhases phases, ClearStretch before, AirLight between, ClearStretch behind) {
+    AirLight result = no_air_light();
+    ClearStretch stretch = before;
+    bool passed = before.count == 0; // what lies between
+    if (passed) {
+        result = between;
+        stretch = behind;
+    }
+    int i = 0;
+    do {
+        int n = max(stretch.count, 1), first = i, next = min(first + RUN, stretch.count);
+        float per_cell = 1.0 / float(max(next - first, 1)), from = march_distance(stretch.cells, float(first) / float(n));
+        DiffuseRun run = diffuse_run(atmosphere, ray, from, march_distance(stretch.cells, 0.5 * float(first + next) / float(n)),
+                                     march_distance(stretch.cells, float(next) / float(n)));
+        Medium edge = medium_at(atmosphere, altitude_at(ray, from));
+        do {
+            MarchCell cell = march_cell_from(stretch.cells, from, i, n);
+            if (i >= next) cell = MarchCell(from, from, from);
             from = cell.end;
             add_air_cell(result, atmosphere, phases, ray, cell, run, (float(i - first) + 0.5) * per_cell, per_cell, 1.0, edge);
-        }
-    }
-}
-
-// `before` cells over one stretch, `behind` over another, with `between` in their middle. A loop of two, so that the march stands
-// in the shader once.
-AirLight march_around(Atmosphere atmosphere, AirRay ray, RayPhases phases, MarchCells first, int before, AirLight between,
-                      MarchCells second, int behind) {
-    AirLight result = no_air_light();
-    for (int stretch = 0; stretch < 2; ++stretch) {
-        if (stretch == 1) {
+            ++i;
+        } while (subgroupAny(i < next));
+        i = next;
+        if (i >= stretch.count && !passed) {
             result.inscattered += result.transmittance * between.inscattered;
             result.transmittance *= between.transmittance;
+            stretch = behind;
+            passed = true;
+            i = 0;
         }
-        MarchCells cells = first;
-        if (stretch == 1) cells = second;
-        march_clear(result, atmosphere, ray, phases, cells, stretch == 0 ? before : behind);
-    }
+    } while (subgroupAny(i < stretch.count));
     return result;
 }
 
@@ -166,7 +182,7 @@ AirLight march_air(ivec2 pixel, AirRay from_camera, vec3 light, float distance) 
 
     MarchCells first = make_march_cells(atmosphere, ray, 0.0, shaded.begin), second = make_march_cells(atmosphere, ray, shaded.end, end);
     int before = rest > 0 ? cells_before(first, second, rest) : 0;
-    AirLight result = march_around(atmosphere, ray, phases, first, before, between, second, rest - before);
+    AirLight result = march_around(atmosphere, ray, phases, ClearStretch(first, before), between, ClearStretch(second, rest - before));
     if (distance < 0.0) result.transmittance = celestial_transmittance(ray, end, result.transmittance);
     return result;
 }

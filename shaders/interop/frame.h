@@ -15,14 +15,13 @@
 #define FRAME_AIR 1                 // march the air
 #define FRAME_SHAFTS 2              // march samples look into the cascades
 #define FRAME_SHADOWS 4
-#define FRAME_MULTIPLE_SCATTERING 8
-#define FRAME_MARCH_DITHER 16
-#define FRAME_SUN_DISC 32
-#define FRAME_PROCEDURAL_GROUND 64
-#define FRAME_HAS_AIR 128           // the planet has any
-#define FRAME_STUDIO 256            // no planet: `fill` all round, `backdrop` behind everything
-#define FRAME_STARS 512
-#define FRAME_AMBIENT_OCCLUSION 1024
+#define FRAME_MARCH_DITHER 8
+#define FRAME_SUN_DISC 16
+#define FRAME_PROCEDURAL_GROUND 32
+#define FRAME_HAS_AIR 64            // the planet has any
+#define FRAME_STUDIO 128            // no planet: `fill` all round, `backdrop` behind everything
+#define FRAME_STARS 256
+#define FRAME_AMBIENT_OCCLUSION 512
 
 // The fine octaves of the procedural ground repeat after this length, so that a position within it is exact in float.
 #define GROUND_PERIOD 8192.0f // [m]

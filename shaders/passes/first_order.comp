@@ -12,11 +12,13 @@ void main() {
     Atmosphere atmosphere = frame.atmosphere;
     vec2 place = node_altitude_sun(atmosphere);
     clear_sums();
-    for (int i = int(gl_LocalInvocationIndex); i < gather_count(FIRST_ORDER_RAYS); i += THREADS) {
+    int i = int(gl_LocalInvocationIndex);
+    do {
         GatherDirection direction = gather_direction(atmosphere, FIRST_ORDER_RAYS, place.x, place.y, i);
         AirRay ray = make_air_ray(atmosphere.ground_radius, place.x, direction.mu, place.y, direction.sunward.nu);
         add_direction(direction, first_order_light(atmosphere, transmittance_table, ray, FIRST_ORDER_RAYS.cells));
-    }
+        i += THREADS;
+    } while (i < gather_count(FIRST_ORDER_RAYS));
     barrier();
     int channel = int(gl_LocalInvocationIndex);
     if (channel <= 2) store_moments(channel, summed_moments(channel));

@@ -23,11 +23,13 @@ void main() {
     Atmosphere atmosphere = frame.atmosphere;
     vec2 place = node_altitude_sun(atmosphere);
     clear_sums();
-    for (int i = int(gl_LocalInvocationIndex); i < gather_count(HIGHER_ORDER_RAYS); i += THREADS) {
+    int i = int(gl_LocalInvocationIndex);
+    do { // frame/air_march.glsl tells why loops test at their end
         GatherDirection direction = gather_direction(atmosphere, HIGHER_ORDER_RAYS, place.x, place.y, i);
         AirRay ray = make_air_ray(atmosphere.ground_radius, place.x, direction.mu, place.y, direction.sunward.nu);
         add_direction(direction, scattered_light(atmosphere, before_table, ray, HIGHER_ORDER_RAYS.cells));
-    }
+        i += THREADS;
+    } while (i < gather_count(HIGHER_ORDER_RAYS));
     barrier();
     int channel = int(gl_LocalInvocationIndex);
     if (channel > 2) return;

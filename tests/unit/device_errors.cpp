@@ -11,7 +11,7 @@ namespace {
 DeviceAbilities able() {
     DeviceAbilities abilities;
     abilities.api_version = VK_API_VERSION_1_3;
-    abilities.graphics_queue = true;
+    abilities.graphics_queue = abilities.subgroup_votes = true;
     abilities.vulkan13.dynamicRendering = abilities.vulkan13.synchronization2 = abilities.vulkan13.maintenance4 = VK_TRUE;
     abilities.vulkan12.scalarBlockLayout = VK_TRUE;
     abilities.features.features.depthClamp = VK_TRUE;
@@ -62,6 +62,7 @@ TEST(DeviceAbilities, each_one_that_is_missing_is_named) {
         {"maintenance4", [](DeviceAbilities& a) { a.vulkan13.maintenance4 = VK_FALSE; }},
         {"scalarBlockLayout", [](DeviceAbilities& a) { a.vulkan12.scalarBlockLayout = VK_FALSE; }},
         {"depthClamp", [](DeviceAbilities& a) { a.features.features.depthClamp = VK_FALSE; }},
+        {"subgroup votes", [](DeviceAbilities& a) { a.subgroup_votes = false; }},
         {"VK_KHR_push_descriptor", [](DeviceAbilities& a) { a.extensions = {VK_KHR_SWAPCHAIN_EXTENSION_NAME}; }},
         {"VK_KHR_swapchain", [](DeviceAbilities& a) { a.extensions = {VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME}; }},
         {"presentation", [](DeviceAbilities& a) { a.presents = false; }},

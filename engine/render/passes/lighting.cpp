@@ -1,6 +1,7 @@
 #include "render/passes/lighting.h"
 
 #include "interop/lighting.h"
+#include "interop/models/march.h"
 #include "render/frame_constants.h"
 #include "render/models/model.h"
 
@@ -36,7 +37,8 @@ ImageId add_lighting(FrameGraph& graph, FrameInputs const& in, ConstantsId frame
                             sampled(LIGHTING_OPEN_SLOT, surfaces.open, NEAREST_CLAMP),
                             stored(LIGHTING_LIT_SLOT, lit)};
     slots.insert(slots.end(), air.slots.begin(), air.slots.end());
-    graph.add(ComputePass{"lighting", in.model.lighting, std::move(slots), in.extent, bytes_of(push)});
+    int const orders = in.settings.multiple_scattering ? MARCH_ALL_ORDERS : MARCH_ONE_ORDER; // other models have no such constant
+    graph.add(ComputePass{"lighting", in.model.lighting, std::move(slots), in.extent, bytes_of(push), orders});
     return lit;
 }
 
