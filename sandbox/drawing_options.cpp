@@ -83,7 +83,7 @@ CLI::App& add_command(CLI::App& program, FlyOptions& options) {
 }
 
 CLI::App& add_command(CLI::App& program, RenderOptions& options) {
-    CLI::App& app = *program.add_subcommand("render", "Renders each view to a picture named after its file");
+    CLI::App& app = *program.add_subcommand("render", "Renders each view to a picture named after its file, and several onto a contact sheet too");
     add_views(app, options.views);
     add_scene_option(app, "--scene", options);
     add_size(app, options.size);
