@@ -37,6 +37,7 @@ struct FrameInputs {
     ShadowFit const& shadow;
     std::vector<shader::FrameConstants> const& constants; ///< one for each supersample
     AirModel const& model;             ///< how the air is lit
+    glm::vec3 ground_albedo;           ///< 0 to 1, around the camera; the planet's own mean where there is no scene
     std::vector<TwofoldTable> const& air_tables; ///< the model's, in its order
     std::vector<StepSlice> const& table_slices;  ///< of the model's steps, that make them in this frame
     GpuImage& exposure;                ///< one texel: interop/exposure.h

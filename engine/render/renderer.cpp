@@ -2,6 +2,7 @@
 
 #include "gpu/transfer.h"
 #include "render/frame_constants.h"
+#include "render/ground_light.h"
 #include "render/models/models.h"
 #include "render/passes/exposure.h"
 
@@ -70,8 +71,10 @@ void Renderer::draw(World const& world, Settings const& settings, Extent extent,
     table_pace_.note(executor_.timings(), model.steps);
     TableWork const work = table_work(tables, air, world.planet.name, settings.spread_tables, table_pace_);
     double const seconds = std::exchange(seconds_, ADAPTED_AT_ONCE);
-    FrameInputs const inputs{world,         settings,    extent,    scene_.get(), shadow, constants, model,
-                             tables.tables, work.slices, exposure_, seconds,      *mean_, *picture_};
+    glm::vec3 const albedo = scene_ ? albedo_around(world, scene_->ground(), scene_->world_from_scene())
+                                    : glm::vec3(world.planet.ground_albedo);
+    FrameInputs const inputs{world,  settings,      extent,      scene_.get(), shadow,  constants, model,
+                             albedo, tables.tables, work.slices, exposure_,    seconds, *mean_,    *picture_};
     FrameGraph graph;
     build_frame(graph, inputs);
     if (finish) finish(graph, graph.find("picture"));
