@@ -7,9 +7,20 @@
 
 namespace alpenglow {
 
-/// Mean albedo, 0 to 1, of the ground that lights the air around the camera: as an eye some kilometres above the camera
-/// sees the ground below, each patch by its solid angle. So it gives way to the planet's `ground_albedo` with the
-/// altitude and away from the scene. `patches`: of a scene that stands there.
-glm::vec3 albedo_around(World const& world, std::span<GroundPatch const> patches, glm::dmat4 const& world_from_scene);
+/// The ground that lights the air around the camera.
+struct GroundAround {
+    glm::vec3 albedo{0}; ///< 0 to 1
+    float altitude = 0;  ///< [m] above the planet's radius
+
+    bool operator==(GroundAround const&) const = default;
+};
+
+/// The planet alone: its `ground_albedo`, at altitude 0.
+GroundAround planet_ground(Planet const& planet);
+
+/// The mean over what an eye some kilometres above the camera sees of the ground below, each patch by its solid angle
+/// and the rest as the planet's. So it gives way to the planet's with the altitude and away from the scene. `patches`:
+/// of the scene that stands there.
+GroundAround ground_around(World const& world, std::span<GroundPatch const> patches);
 
 } // namespace alpenglow

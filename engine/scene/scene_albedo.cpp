@@ -67,7 +67,9 @@ Corner middle(Corner const& a, Corner const& b) {
 
 class Grid {
 public:
-    explicit Grid(Scene const& scene) : scene_(scene), cells_(std::size_t(GROUND_PATCHES * GROUND_PATCHES)) {
+    Grid(Scene const& scene, glm::dmat4 const& world_from_scene, double planet_radius)
+        : scene_(scene), world_from_scene_(world_from_scene), planet_radius_(planet_radius),
+          cells_(std::size_t(GROUND_PATCHES * GROUND_PATCHES)) {
         for (Material const& material : scene.materials) {
             Texture const& texture = material.base_color_texture;
             pictures_.push_back(texture ? std::optional(SmallPicture(scene.pictures[texture.picture])) : std::nullopt);
@@ -87,10 +89,12 @@ public:
     }
     std::vector<GroundPatch> patches() const {
         std::vector<GroundPatch> result;
+        double const scale = glm::length(glm::dvec3(world_from_scene_[0]));
         for (Cell const& cell : cells_) {
             if (!(cell.area > 0)) continue;
             glm::vec3 const albedo = glm::clamp(glm::vec3(cell.color / cell.area), 0.0f, 1.0f);
-            result.push_back({cell.position / cell.area, std::min(cell.area, spacing_.x * spacing_.y), albedo});
+            double const area = std::min(cell.area, spacing_.x * spacing_.y);
+            result.push_back({in_world(cell.position / cell.area), scale * scale * area, albedo});
         }
         return result;
     }
@@ -122,12 +126,14 @@ private:
     void add_whole(std::uint32_t material, Corner const& a, Corner const& b, Corner const& c) {
         double const area = 0.5 * glm::cross(b.position - a.position, c.position - a.position).y;
         glm::dvec3 const position = (a.position + b.position + c.position) / 3.0;
-        Cell* const cell = area > 0 ? cell_at(position) : nullptr; // what faces down, and what is no number, has none
+        bool const seen = area > 0 && glm::length(in_world(position)) >= planet_radius_; // not what is no number
+        Cell* const cell = seen ? cell_at(position) : nullptr;
         if (!cell) return;
         cell->position += area * position;
         cell->color += area * (a.color + b.color + c.color) / 3.0 * picture_at(material, (a.uv + b.uv + c.uv) / 3.0);
         cell->area += area;
     }
+    glm::dvec3 in_world(glm::dvec3 const& p) const { return glm::dvec3(world_from_scene_ * glm::dvec4(p, 1)); }
     Cell* cell_at(glm::dvec3 const& position) {
         glm::dvec2 const place = glm::dvec2(position.x - scene_.bounds.lowest.x, position.z - scene_.bounds.lowest.z) / spacing_;
         if (!(place.x >= 0 && place.y >= 0 && place.x <= GROUND_PATCHES && place.y <= GROUND_PATCHES)) return nullptr;
@@ -141,6 +147,8 @@ private:
     }
 
     Scene const& scene_;
+    glm::dmat4 world_from_scene_;
+    double planet_radius_; ///< [m]
     std::vector<std::optional<SmallPicture>> pictures_; ///< by material
     glm::dvec2 spacing_{0};                             ///< [m]
     std::vector<Cell> cells_;
@@ -148,9 +156,9 @@ private:
 
 } // namespace
 
-std::vector<GroundPatch> ground_patches(Scene const& scene) {
+std::vector<GroundPatch> ground_patches(Scene const& scene, glm::dmat4 const& world_from_scene, double planet_radius) {
     if (scene.bounds.empty()) return {};
-    Grid grid(scene);
+    Grid grid(scene, world_from_scene, planet_radius);
     for (Instance const& instance : scene.instances) {
         Mesh const& mesh = scene.meshes[instance.mesh];
         for (MeshPart const& part : mesh.parts) grid.add(mesh, part, instance.scene_from_mesh);

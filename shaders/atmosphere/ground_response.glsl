@@ -1,4 +1,4 @@
-// Light that ground of another albedo sends into the air. The table of all orders (multiple_scattering.glsl) is made over
+// Light of ground that is not the planet's mean, in the air above it. The table of all orders (multiple_scattering.glsl) is made over
 // ground of the planet's mean albedo; what ground differs by is light of its own, even all around and as bright in all
 // directions, and air answers it in proportion: the response, the moments of the light over black ground whose radiance
 // is 1. They are the same on all sides of the zenith and depend on the altitude alone.
@@ -54,24 +54,20 @@ INLINE ChannelMoments turned_to_sun(ChannelMoments zonal, float mu_s) {
                           up.high * vec4(second, second, zonal.high.z * 0.377964473f, zonal.high.w / 3.0f));
 }
 
-// The share of its light that air gives back to the ground below.
-INLINE vec3 returned_to_ground(sampler2D response, IN(Atmosphere) atmosphere) {
-    return clamp(sample_diffuse_irradiance(response, atmosphere, 0.0f, 1.0f, 1.0f, 1.0f) / PI, vec3(0.0f), vec3(1.0f));
-}
-
-// Radiance of ground per unit of the irradiance that sun and sky without the ground's own light have on it.
-INLINE vec3 ground_brightness(vec3 albedo, vec3 returned) {
-    return albedo / (PI * max(vec3(1.0f) - albedo * returned, vec3(1e-3f)));
-}
-
-// By how much ground of this albedo is brighter than the planet's mean [1/sr], under a sun at mu_s. `table`: of all orders.
-INLINE vec3 ground_difference(IN(Atmosphere) atmosphere, sampler2D transmittance_table, sampler2D table, vec3 returned,
-                              vec3 albedo, float mu_s) {
-    vec3 sun = sample_sun_transmittance(transmittance_table, atmosphere, 0.0f, mu_s) * max(mu_s, 0.0f);
-    vec3 sky = sample_diffuse_irradiance(table, atmosphere, 0.0f, mu_s, 1.0f, mu_s);
-    vec3 own = ground_brightness(atmosphere.ground_albedo, returned);
-    vec3 irradiance = (sun + sky) * (vec3(1.0f) - atmosphere.ground_albedo * returned);
-    return irradiance * (ground_brightness(albedo, returned) - own);
+// By how much ground of the table's model, which lies at altitude 0, has to be brighter [1/sr] under a sun at mu_s for the
+// air above the ground that is there: at its altitude [m] the share `albedo` of what comes down goes up. `table`: of all
+// orders. Not darker than black, so that no light is less than none in the air below that altitude.
+INLINE vec3 ground_difference(IN(Atmosphere) atmosphere, sampler2D transmittance_table, sampler2D table, sampler2D response,
+                              vec3 albedo, float altitude, float mu_s) {
+    vec3 sun = sample_sun_transmittance(transmittance_table, atmosphere, altitude, mu_s);
+    vec3 down = sun * max(mu_s, 0.0f) + sample_diffuse_irradiance(table, atmosphere, altitude, mu_s, 1.0f, mu_s);
+    vec3 up = sample_diffuse_irradiance(table, atmosphere, altitude, mu_s, -1.0f, -mu_s);
+    vec3 response_down = sample_diffuse_irradiance(response, atmosphere, altitude, 1.0f, 1.0f, 1.0f);
+    vec3 response_up = sample_diffuse_irradiance(response, atmosphere, altitude, 1.0f, -1.0f, -1.0f);
+    vec3 difference = (albedo * down - up) / max(response_up - albedo * response_down, 1e-3f * response_up);
+    vec3 level_sun = sample_sun_transmittance(transmittance_table, atmosphere, 0.0f, mu_s) * max(mu_s, 0.0f);
+    vec3 level = level_sun + sample_diffuse_irradiance(table, atmosphere, 0.0f, mu_s, 1.0f, mu_s);
+    return max(difference, -ground_radiance(atmosphere, level));
 }
 
 // Of one channel: all orders over the planet's ground, and the response times that difference.

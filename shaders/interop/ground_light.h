@@ -1,4 +1,4 @@
-// Passes `ground_response` and `ground_light`: light of ground whose albedo is not the planet's mean, see
+// Passes `ground_response` and `ground_light`: light of ground that is not the planet's mean, see
 // atmosphere/ground_response.glsl. The first is made in rounds, an order of scattering each, a workgroup a node; the
 // second adds it to the table of all orders, a thread a node.
 #ifndef ALPENGLOW_INTEROP_GROUND_LIGHT_H
@@ -14,11 +14,12 @@
 #define GROUND_LIGHT_TRANSMITTANCE_SLOT 1 // in: linear filter, clamped to the edge, as all
 #define GROUND_LIGHT_ORDERS_SLOT 2        // in, all orders over the planet's mean albedo
 #define GROUND_LIGHT_RESPONSE_SLOT 3      // in
-#define GROUND_LIGHT_TABLE_SLOT 4         // out, all orders over ground of the albedo `GroundLightPush`
+#define GROUND_LIGHT_TABLE_SLOT 4         // out, all orders over the ground of GroundLightPush
 
 SHADER_NAMESPACE_BEGIN
 struct GroundLightPush {
-    vec3 albedo; // 0 to 1
+    vec3 albedo;    // 0 to 1
+    float altitude; // [m] where that ground lies, inside the air
 };
 SHADER_NAMESPACE_END
 

@@ -22,8 +22,8 @@ void main() {
     Atmosphere atmosphere = frame.atmosphere;
     ivec2 node = ivec2(gl_GlobalInvocationID.xy), counts = ivec2(MULTIPLE_SCATTERING_WIDTH, MULTIPLE_SCATTERING_HEIGHT);
     float mu_s = altitude_sun_from_uv(atmosphere, (vec2(node) + 0.5) / vec2(counts), counts.x, counts.y).y;
-    vec3 returned = returned_to_ground(response_table, atmosphere);
-    vec3 difference = ground_difference(atmosphere, transmittance_table, orders_table, returned, push.albedo, mu_s);
+    vec3 difference = ground_difference(atmosphere, transmittance_table, orders_table, response_table, push.albedo,
+                                        push.altitude, mu_s);
     for (int channel = 0; channel < 3; ++channel) {
         ChannelMoments light = moments_at(orders_table, node, channel);
         ChannelMoments response = moments_at(response_table, ivec2(0, node.y), channel);

@@ -94,12 +94,12 @@ ImageId orders_over_ground(FrameGraph& graph, AirTableInputs const& inputs) {
                            sampled(GROUND_LIGHT_RESPONSE_SLOT, inputs.tables[RESPONSE]),
                            stored(GROUND_LIGHT_TABLE_SLOT, orders)},
                           NODES,
-                          bytes_of(shader::GroundLightPush{inputs.in.ground_albedo})});
+                          bytes_of(shader::GroundLightPush{inputs.in.ground.albedo, inputs.in.ground.altitude})});
     return orders;
 }
 
 std::vector<Slot> lighting_slots(FrameGraph& graph, AirTableInputs const& inputs) {
-    bool const own = inputs.in.ground_albedo == glm::vec3(inputs.in.world.planet.ground_albedo);
+    bool const own = inputs.in.ground == planet_ground(inputs.in.world.planet);
     return {sampled(MARCH_TRANSMITTANCE_SLOT, inputs.tables[TRANSMITTANCE]),
             sampled(MARCH_MULTIPLE_SCATTERING_SLOT, own ? inputs.tables[ORDERS] : orders_over_ground(graph, inputs))};
 }
