@@ -13,7 +13,7 @@ namespace {
 
 constexpr int ROUNDS = 24; // an order is worth 0.4 of the last on Earth, 0.8 on the dense planet
 
-/// Irradiance [1/sr] on level ground and, at the top, on what faces down; over pi.
+/// What comes back of the light of ground whose radiance is 1, and what leaves the air at its top; over pi.
 struct Balance {
     vec3 returned, lost;
 };
@@ -21,8 +21,9 @@ struct Balance {
 Balance balance_of(Atmosphere const& air) {
     test::ResponseTable const response(air, ROUNDS);
     float const top = air.top_altitude, wider = 1 + top / air.ground_radius;
+    vec3 const down = sample_diffuse_irradiance(response.sampler(), air, 0, 1, 1, 1) / PI;
     vec3 const up = sample_diffuse_irradiance(response.sampler(), air, top, 1, -1, -1) / PI;
-    return {returned_to_ground(response.sampler(), air), up * wider * wider};
+    return {down, up * wider * wider};
 }
 
 double zonal_radiance(ChannelMoments const& zonal, double mu) {
@@ -41,7 +42,7 @@ TEST(GroundResponse, without_air_is_the_ground_itself) {
     EXPECT_NEAR(light.along2.x, 0, 1e-5);
     EXPECT_EQ(light.across.x, 0);
     EXPECT_EQ(light.across2.x, 0);
-    EXPECT_NEAR(returned_to_ground(response.sampler(), test::no_air()).x, 0, 1e-4); // 20 zeniths
+    EXPECT_NEAR(sample_diffuse_irradiance(response.sampler(), test::no_air(), 0, 1, 1, 1).x, 0, 1e-3); // 20 zeniths
 }
 
 // What the ground sends out comes back or leaves.
@@ -110,10 +111,17 @@ TEST(GroundResponse, turned_to_the_sun_has_the_moments_of_the_integral) {
     }
 }
 
-TEST(GroundResponse, ground_grows_brighter_by_what_the_air_returns) {
-    vec3 const returned(0.25f);
-    EXPECT_NEAR(ground_brightness(vec3(0.5f), vec3(0)).x, 0.5 / std::numbers::pi, 1e-6);
-    // 0.5 (1 + 1/8 + 1/64 + ...)
-    EXPECT_NEAR(ground_brightness(vec3(0.5f), returned).x, 0.5 / (1 - 0.125) / std::numbers::pi, 1e-6);
-    EXPECT_TRUE(std::isfinite(ground_brightness(vec3(1), vec3(1)).x));
+// Without air ground is brighter by the difference of the albedos, whatever the altitude says.
+TEST(GroundResponse, airless_ground_differs_by_its_albedo) {
+    Atmosphere air = test::no_air();
+    air.ground_albedo = vec3(0.2f);
+    test::Table const clear(1, 1, [](vec2) { return vec4(0); });
+    test::LightTable const light(air, clear.sampler(), GatherRays{2, 1, 6, 12});
+    test::ResponseTable const response(air, 1);
+    for (float const albedo : {0.0f, 0.2f, 0.7f}) {
+        vec3 const found = ground_difference(air, clear.sampler(), light.sampler(), response.sampler(), vec3(albedo), 0, 0.8f);
+        EXPECT_NEAR(found.x, (albedo - 0.2) * 0.8 / std::numbers::pi, 2e-4) << albedo;
+    }
+    vec3 const night = ground_difference(air, clear.sampler(), light.sampler(), response.sampler(), vec3(0.7f), 0, -0.3f);
+    EXPECT_NEAR(night.x, 0, 1e-6);
 }
