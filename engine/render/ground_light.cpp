@@ -2,16 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <cstdio>
 #include <numbers>
 
 namespace alpenglow {
 
 namespace {
 
-/// [m] of the eye above the camera.
-double REACH = std::getenv("REACH") ? std::atof(std::getenv("REACH")) : 8e3;
+/// [m] of the eye above the camera: below this lies half of Earth's air. Anything from 3 to 15 km serves about as well.
+constexpr double EYE_ABOVE = 5e3;
 
 /// [sr] of a sphere of that radius, seen from a height over it [m].
 double solid_angle_of_planet(double radius, double height) {
@@ -29,7 +27,7 @@ double solid_angle(GroundPatch const& patch, glm::dvec3 const& eye) {
 double eye_height(World const& world, std::span<GroundPatch const> patches) {
     double widest = 0;
     for (GroundPatch const& patch : patches) widest = std::max(widest, std::sqrt(patch.area));
-    return std::max(glm::length(world.camera.position) - world.planet.radius, 0.0) + std::max(REACH, widest);
+    return std::max(glm::length(world.camera.position) - world.planet.radius, 0.0) + std::max(EYE_ABOVE, widest);
 }
 
 } // namespace
@@ -49,9 +47,6 @@ GroundAround ground_around(World const& world, std::span<GroundPatch const> patc
     }
     double const rest = std::max(1 - share, 0.0), whole = share + rest;
     altitude = std::min(altitude / whole, world.planet.air.top_altitude);
-    if (std::getenv("FLAT")) altitude = 0;
-    glm::vec3 a((albedo + rest * world.planet.ground_albedo) / whole);
-    std::fprintf(stderr, "share %f albedo %f %f %f altitude %f\n", share, a.x, a.y, a.z, altitude);
     return {glm::vec3((albedo + rest * world.planet.ground_albedo) / whole), static_cast<float>(altitude)};
 }
 
