@@ -65,25 +65,30 @@ float largest_error(Tables const& from, Tables const& solved, float albedo, floa
 
 } // namespace
 
-// The table over other ground against the solver run with that ground. What is left is that all the ground in sight is taken to
-// have the sun of the place below: low suns and great heights show it.
-TEST_F(GroundLight, meets_the_solver_run_with_another_albedo) {
-    for (char const* const name : {"earth", "dense"}) {
-        Planet const planet = load_planet(name);
-        Tables const from = tables_over(planet, 0.2);
-        for (float const albedo : {0.0f, 0.6f}) {
-            Tables const solved = tables_over(planet, albedo);
-            float const low = largest_error(from, solved, albedo, 10e3f, 0.15f, 1);
-            float const high = largest_error(from, solved, albedo, 200e3f, 0.15f, 1);
-            float const dusk = largest_error(from, solved, albedo, 10e3f, -0.05f, 0.15f);
-            std::printf("%s %.1f: low %.4f high %.4f dusk %.4f\n", name, double(albedo), double(low), double(high), double(dusk));
-            EXPECT_LT(low, 0.02) << name << " " << albedo;
-            EXPECT_LT(high, 0.06) << name << " " << albedo;
-            EXPECT_LT(dusk, 0.12) << name << " " << albedo;
-            EXPECT_GT(largest_error(from, solved, 0.2f, 10e3f, 0.15f, 1), 0.02); // as it stood
-        }
+// The table over other ground against the solver run with that ground. What is left on Earth is that all the ground in sight is
+// taken to have the sun of the place below. On the dense planet the solver, which looks at its table three times for eight cells,
+// and the response, which looks for each, differ by 5 % on the ground in red, by 2 % from 5 km on.
+struct Closeness {
+    char const* planet;
+    float by_day, at_dusk; ///< the largest relative error of the mean of the light
+};
+
+class GroundLightOnPlanets : public GroundLight, public ::testing::WithParamInterface<Closeness> {};
+
+TEST_P(GroundLightOnPlanets, meets_the_solver_run_with_another_albedo) {
+    auto const [name, by_day, at_dusk] = GetParam();
+    Planet const planet = load_planet(name);
+    Tables const from = tables_over(planet, 0.2);
+    for (float const albedo : {0.0f, 0.6f}) {
+        Tables const solved = tables_over(planet, albedo);
+        EXPECT_LT(largest_error(from, solved, albedo, 200e3f, 0.15f, 1), by_day) << albedo;
+        EXPECT_LT(largest_error(from, solved, albedo, 10e3f, -0.05f, 0.15f), at_dusk) << albedo;
+        EXPECT_GT(largest_error(from, solved, 0.2f, 10e3f, 0.15f, 1), 2 * by_day); // the table as it stood
     }
 }
+
+INSTANTIATE_TEST_SUITE_P(Planets, GroundLightOnPlanets, ::testing::Values(Closeness{"earth", 0.03f, 0.05f}, Closeness{"dense", 0.06f, 0.07f}),
+                         [](auto const& given) { return std::string(given.param.planet); });
 
 // Of the response one round more changes as little as of the table of all orders.
 TEST_F(GroundLight, response_is_a_fixed_point) {
