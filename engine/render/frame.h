@@ -4,6 +4,7 @@
 #include "render/cascades.h"
 #include "render/frame_graph.h"
 #include "render/gpu_scene.h"
+#include "render/ground_light.h"
 #include "scene/view.h"
 
 #include <memory>
@@ -37,6 +38,7 @@ struct FrameInputs {
     ShadowFit const& shadow;
     std::vector<shader::FrameConstants> const& constants; ///< one for each supersample
     AirModel const& model;             ///< how the air is lit
+    GroundAround const& ground;        ///< that lights the air
     std::vector<TwofoldTable> const& air_tables; ///< the model's, in its order
     std::vector<StepSlice> const& table_slices;  ///< of the model's steps, that make them in this frame
     GpuImage& exposure;                ///< one texel: interop/exposure.h

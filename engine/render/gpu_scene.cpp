@@ -65,7 +65,7 @@ shader::MeshDraw make_mesh_draw(glm::dmat4 const& world_from_mesh, glm::dmat4 co
 
 GpuScene::GpuScene(Device const& device, Scene const& scene, Placement const& placement, double planet_radius)
     : device_(device), world_from_scene_(alpenglow::world_from_scene(placement, planet_radius)),
-      planet_radius_(planet_radius), bounds_(scene.bounds) {
+      planet_radius_(planet_radius), bounds_(scene.bounds), ground_(ground_patches(scene, world_from_scene_, planet_radius)) {
     Staging staging(device);
     materials_ = std::make_unique<MaterialSets>(staging, scene);
     upload_meshes(staging, scene);

@@ -4,7 +4,7 @@
 #include "interop/gbuffer.h"
 #include "render/frame_graph.h"
 #include "render/material_sets.h"
-#include "scene/scene.h"
+#include "scene/scene_albedo.h"
 
 #include <memory>
 
@@ -41,6 +41,7 @@ public:
     std::size_t triangles() const { return triangles_; }
     Box const& bounds() const { return bounds_; } ///< scene frame
     glm::dmat4 const& world_from_scene() const { return world_from_scene_; }
+    std::vector<GroundPatch> const& ground() const { return ground_; }
     double highest_altitude() const { return highest_altitude_; } ///< [m] above the planet's radius
 
     /// Draws those of the items whose material fits into the current pass, with the matrix `projection` of
@@ -64,6 +65,7 @@ private:
     glm::dmat4 world_from_scene_;
     double planet_radius_;
     Box bounds_;
+    std::vector<GroundPatch> ground_;
     double highest_altitude_ = 0;
     std::size_t triangles_ = 0;
     bool has_masked_ = false;

@@ -2,6 +2,7 @@
 
 #include "gpu/transfer.h"
 #include "render/frame_constants.h"
+#include "render/ground_light.h"
 #include "render/models/models.h"
 #include "render/passes/exposure.h"
 
@@ -70,8 +71,9 @@ void Renderer::draw(World const& world, Settings const& settings, Extent extent,
     table_pace_.note(executor_.timings(), model.steps);
     TableWork const work = table_work(tables, air, world.planet.name, settings.spread_tables, table_pace_);
     double const seconds = std::exchange(seconds_, ADAPTED_AT_ONCE);
-    FrameInputs const inputs{world,         settings,    extent,    scene_.get(), shadow, constants, model,
-                             tables.tables, work.slices, exposure_, seconds,      *mean_, *picture_};
+    GroundAround const ground = scene_ ? ground_around(world, scene_->ground()) : planet_ground(world.planet);
+    FrameInputs const inputs{world,  settings,      extent,      scene_.get(), shadow,  constants, model,
+                             ground, tables.tables, work.slices, exposure_,    seconds, *mean_,    *picture_};
     FrameGraph graph;
     build_frame(graph, inputs);
     if (finish) finish(graph, graph.find("picture"));

@@ -7,17 +7,7 @@ layout(set = 0, binding = MULTIPLE_SCATTERING_FIRST_ORDER_SLOT) uniform sampler2
 layout(set = 0, binding = MULTIPLE_SCATTERING_BEFORE_SLOT) uniform sampler2D before_table;
 layout(set = 0, binding = MULTIPLE_SCATTERING_TABLE_SLOT, rgba32f) uniform image2D table;
 
-#include "frame/node_moments.glsl"
-
-ChannelMoments moments_of(sampler2D from, int channel) {
-    return unpacked_moments(ChannelMoments(texelFetch(from, tile_texel(2 * channel), 0),
-                                           texelFetch(from, tile_texel(2 * channel + 1), 0)));
-}
-
-ChannelMoments oldest_moments(int channel) {
-    return unpacked_moments(ChannelMoments(imageLoad(table, tile_texel(2 * channel)),
-                                           imageLoad(table, tile_texel(2 * channel + 1))));
-}
+#include "frame/moment_rounds.glsl"
 
 void main() {
     Atmosphere atmosphere = frame.atmosphere;
@@ -35,7 +25,5 @@ void main() {
     if (channel > 2) return;
     ChannelMoments once = moments_of(first_order_table, channel), again = summed_moments(channel);
     ChannelMoments sum = ChannelMoments(once.low + again.low, once.high + again.high);
-    if (push.mode == MULTIPLE_SCATTERING_EXTRAPOLATES)
-        sum = extrapolated_moments(oldest_moments(channel), moments_of(before_table, channel), sum);
-    store_moments(channel, sum);
+    store_round(channel, sum);
 }

@@ -1,5 +1,6 @@
 #include "interop/models/march.h"
 
+#include "interop/ground_light.h"
 #include "interop/multiple_scattering.h"
 #include "render/models/model.h"
 #include "render/passes/transmittance.h"
@@ -10,15 +11,26 @@ namespace alpenglow {
 
 namespace {
 
-enum Tables : std::size_t { TRANSMITTANCE, COARSE_FIRST_ORDER, COARSE_ORDERS, FIRST_ORDER, ORDERS };
+enum Tables : std::size_t {
+    TRANSMITTANCE,
+    RESPONSE_ORDERS,
+    RESPONSE,
+    COARSE_FIRST_ORDER,
+    COARSE_ORDERS,
+    FIRST_ORDER,
+    ORDERS
+};
 
 constexpr Extent NODES{MULTIPLE_SCATTERING_WIDTH, MULTIPLE_SCATTERING_HEIGHT};
 constexpr Extent COARSE_NODES{NODES.width / 2, NODES.height / 2};
+constexpr Extent RESPONSE_NODES{1, NODES.height};
 
 /// Orders of scattering behind the first that are added on a quarter of the nodes, and then on all; and how often the orders
 /// to come are added as a geometric series. An order is worth 0.4 of the last on Earth, 0.85 on the dense planet, where
 /// coarse nodes are off by up to a sixth.
 constexpr int COARSE_ROUNDS = 12, ROUNDS = 12, EXTRAPOLATION = 6;
+/// And of the light of bright ground, the last without what is to come.
+constexpr int RESPONSE_ROUNDS = 19;
 
 constexpr Extent moments_size(Extent nodes) { return {nodes.width, LIGHT_TILES * nodes.height}; }
 
@@ -43,6 +55,18 @@ AirTableStep order_step(std::string const& pass, Tables first_order, Tables befo
             .updates = extrapolates};
 }
 
+/// The light of the ground itself first; with the last round the table is whole.
+AirTableStep response_step(int round) {
+    int const mode = round == 0 ? GROUND_RESPONSE_STARTS : round % EXTRAPOLATION == 0 ? MULTIPLE_SCATTERING_EXTRAPOLATES : 0;
+    return {.pass = "ground_response",
+            .shader = shaders::ground_response_comp,
+            .groups = static_cast<std::uint32_t>(RESPONSE_NODES.pixels()),
+            .reads = {{round == 0 ? TRANSMITTANCE : RESPONSE_ORDERS, GROUND_RESPONSE_BEFORE_SLOT}},
+            .makes = {round == RESPONSE_ROUNDS ? RESPONSE : RESPONSE_ORDERS, GROUND_RESPONSE_TABLE_SLOT},
+            .mode = mode,
+            .updates = mode == MULTIPLE_SCATTERING_EXTRAPOLATES};
+}
+
 /// All orders on a quarter of the nodes first: what they are off by is smooth, and little is left to do for the rest.
 std::vector<AirTableStep> make_steps() {
     std::vector<AirTableStep> steps{transmittance_step(TRANSMITTANCE),
@@ -50,6 +74,7 @@ std::vector<AirTableStep> make_steps() {
     for (int round = 1; round <= COARSE_ROUNDS; ++round)
         steps.push_back(order_step("coarse_orders", COARSE_FIRST_ORDER, round == 1 ? COARSE_FIRST_ORDER : COARSE_ORDERS,
                                    COARSE_ORDERS, COARSE_NODES, round % EXTRAPOLATION == 0));
+    for (int round = 0; round <= RESPONSE_ROUNDS; ++round) steps.push_back(response_step(round));
     steps.push_back(first_order_step("first_order", FIRST_ORDER, NODES));
     for (int round = 1; round <= ROUNDS; ++round)
         steps.push_back(order_step("multiple_scattering", FIRST_ORDER, round == 1 ? COARSE_ORDERS : ORDERS, ORDERS,
@@ -57,9 +82,26 @@ std::vector<AirTableStep> make_steps() {
     return steps;
 }
 
-std::vector<Slot> lighting_slots(FrameGraph&, AirTableInputs const& inputs) {
+/// The table of all orders over the ground that is around the camera: of this frame, made from the planet's.
+ImageId orders_over_ground(FrameGraph& graph, AirTableInputs const& inputs) {
+    ImageShape const shape{VK_FORMAT_R32G32B32A32_SFLOAT, moments_size(NODES)};
+    ImageId const orders = graph.add_image("light_over_ground", shape, ShowScale::logarithm);
+    graph.add(ComputePass{"ground_light",
+                          shaders::ground_light_comp,
+                          {constants(FRAME_SLOT, inputs.frame),
+                           sampled(GROUND_LIGHT_TRANSMITTANCE_SLOT, inputs.tables[TRANSMITTANCE]),
+                           sampled(GROUND_LIGHT_ORDERS_SLOT, inputs.tables[ORDERS]),
+                           sampled(GROUND_LIGHT_RESPONSE_SLOT, inputs.tables[RESPONSE]),
+                           stored(GROUND_LIGHT_TABLE_SLOT, orders)},
+                          NODES,
+                          bytes_of(shader::GroundLightPush{inputs.in.ground.albedo, inputs.in.ground.altitude})});
+    return orders;
+}
+
+std::vector<Slot> lighting_slots(FrameGraph& graph, AirTableInputs const& inputs) {
+    bool const own = inputs.in.ground == planet_ground(inputs.in.world.planet);
     return {sampled(MARCH_TRANSMITTANCE_SLOT, inputs.tables[TRANSMITTANCE]),
-            sampled(MARCH_MULTIPLE_SCATTERING_SLOT, inputs.tables[ORDERS])};
+            sampled(MARCH_MULTIPLE_SCATTERING_SLOT, own ? inputs.tables[ORDERS] : orders_over_ground(graph, inputs))};
 }
 
 } // namespace
@@ -69,6 +111,8 @@ AirModel make_march() {
             .help = "each pixel's ray marched; the sun's way and all further orders from tables",
             .lighting = shaders::lighting_march_comp,
             .tables = {{"transmittance", {TRANSMITTANCE_WIDTH, TRANSMITTANCE_HEIGHT}, ShowScale::optical_depth},
+                       {"ground_response_orders", moments_size(RESPONSE_NODES), ShowScale::logarithm},
+                       {"ground_response", moments_size(RESPONSE_NODES), ShowScale::logarithm},
                        {"coarse_first_order", moments_size(COARSE_NODES), ShowScale::logarithm},
                        {"coarse_orders", moments_size(COARSE_NODES), ShowScale::logarithm},
                        {"first_order", moments_size(NODES), ShowScale::logarithm},

@@ -1,0 +1,80 @@
+// Light of ground that is not the planet's mean, in the air above it. The table of all orders (multiple_scattering.glsl) is made over
+// ground of the planet's mean albedo; what ground differs by is light of its own, even all around and as bright in all
+// directions, and air answers it in proportion: the response, the moments of the light over black ground whose radiance
+// is 1. They are the same on all sides of the zenith and depend on the altitude alone.
+// Table: as light_moments.glsl has it, one node wide, with the zenith in place of the sun: what changes with the azimuth is 0.
+#ifndef ALPENGLOW_ATMOSPHERE_GROUND_RESPONSE_GLSL
+#define ALPENGLOW_ATMOSPHERE_GROUND_RESPONSE_GLSL
+#include "atmosphere/multiple_scattering.glsl"
+SHADER_NAMESPACE_BEGIN
+
+CONSTANT GatherRays GROUND_RESPONSE_RAYS = GatherRays(3, 2, 1, 16);
+
+// Altitude [m] of a row of the table.
+INLINE float ground_response_altitude(IN(Atmosphere) atmosphere, int row) {
+    float v = (float(row) + 0.5f) / float(MULTIPLE_SCATTERING_HEIGHT);
+    return altitude_sun_from_uv(atmosphere, vec2(1.0f, v), MULTIPLE_SCATTERING_WIDTH, MULTIPLE_SCATTERING_HEIGHT).x;
+}
+
+// Radiance that a ray inside the air brings to its origin: the ground's, and, unless it is the `first` round, that of the
+// table scattered once more.
+INLINE vec3 light_over_bright_ground(IN(Atmosphere) atmosphere, sampler2D response, AirRay ray, int n, bool first) {
+    AirSegment segment = air_segment(atmosphere, ray);
+    MarchCells cells = make_march_cells(atmosphere, ray, segment.begin, segment.end);
+    AirLight light = no_air_light();
+    float from = segment.begin;
+    Medium edge = medium_at(atmosphere, altitude_at(ray, from));
+    for (int i = 0; i < n; ++i) {
+        MarchCell cell = march_cell_from(cells, from, i, n);
+        from = cell.end;
+        Medium next = medium_at(atmosphere, altitude_at(ray, cell.end));
+        CellMedium air = cell_medium(edge, medium_at(atmosphere, altitude_at(ray, cell.middle)), next);
+        edge = next;
+        float cell_length = cell.end - cell.begin;
+        AirPoint point = air_point_at(ray, cell.middle + air.centre * cell_length);
+        AirPoint under_zenith = AirPoint(point.altitude, point.mu, 1.0f);
+        DiffuseLight diffuse = sample_diffuse_light(response, atmosphere, under_zenith, point.mu);
+        if (first) diffuse = no_diffuse_light();
+        add_cell(light, diffuse_source(air.mean, diffuse), diffuse_extinction(atmosphere, air.mean), cell_length);
+    }
+    return behind_air(light, vec3(segment.hits_ground ? 1.0f : 0.0f));
+}
+
+// The part that is the same on all sides of the polar axis: a sum over directions of one azimuth has no other.
+INLINE ChannelMoments zonal_moments(ChannelMoments sum) {
+    return ChannelMoments(vec4(sum.low.x, sum.low.y, 0.0f, sum.low.w), vec4(0.0f, 0.0f, sum.high.z, sum.high.w));
+}
+
+// Moments around the sun of light that has these around the zenith: by the addition theorem each degree's is spread over
+// the harmonics' values at the zenith.
+INLINE ChannelMoments turned_to_sun(ChannelMoments zonal, float mu_s) {
+    MomentBasis up = moment_basis(SunwardDirection(mu_s, sqrt(max(1.0f - mu_s * mu_s, 0.0f))));
+    float first = zonal.low.y * 0.577350269f, second = zonal.low.w * 0.447213595f; // over the root of 2 l + 1
+    return ChannelMoments(up.low * vec4(zonal.low.x, first, first, second),
+                          up.high * vec4(second, second, zonal.high.z * 0.377964473f, zonal.high.w / 3.0f));
+}
+
+// By how much ground of the table's model, which lies at altitude 0, has to be brighter [1/sr] under a sun at mu_s for the
+// air above the ground that is there: at its altitude [m] the share `albedo` of what comes down goes up. `table`: of all
+// orders. Not darker than black, so that no light is less than none in the air below that altitude.
+INLINE vec3 ground_difference(IN(Atmosphere) atmosphere, sampler2D transmittance_table, sampler2D table, sampler2D response,
+                              vec3 albedo, float altitude, float mu_s) {
+    vec3 sun = sample_sun_transmittance(transmittance_table, atmosphere, altitude, mu_s);
+    vec3 down = sun * max(mu_s, 0.0f) + sample_diffuse_irradiance(table, atmosphere, altitude, mu_s, 1.0f, mu_s);
+    vec3 up = sample_diffuse_irradiance(table, atmosphere, altitude, mu_s, -1.0f, -mu_s);
+    vec3 response_down = sample_diffuse_irradiance(response, atmosphere, altitude, 1.0f, 1.0f, 1.0f);
+    vec3 response_up = sample_diffuse_irradiance(response, atmosphere, altitude, 1.0f, -1.0f, -1.0f);
+    vec3 difference = (albedo * down - up) / max(response_up - albedo * response_down, 1e-3f * response_up);
+    vec3 level_sun = sample_sun_transmittance(transmittance_table, atmosphere, 0.0f, mu_s) * max(mu_s, 0.0f);
+    vec3 level = level_sun + sample_diffuse_irradiance(table, atmosphere, 0.0f, mu_s, 1.0f, mu_s);
+    return max(difference, -ground_radiance(atmosphere, level));
+}
+
+// Of one channel: all orders over the planet's ground, and the response times that difference.
+INLINE ChannelMoments over_other_ground(ChannelMoments light, ChannelMoments response, float difference, float mu_s) {
+    ChannelMoments turned = turned_to_sun(response, mu_s);
+    return ChannelMoments(light.low + turned.low * difference, light.high + turned.high * difference);
+}
+
+SHADER_NAMESPACE_END
+#endif

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "atmosphere/ground_response.glsl"
+#include "support/air.h"
+
+namespace alpenglow::test {
+
+/// The table of pass `ground_response`, as it stands after so many rounds without extrapolation.
+class ResponseTable {
+public:
+    ResponseTable(shader::Atmosphere const& air, int rounds) : texels_(LIGHT_TILES * ROWS) {
+        for (int round = 0; round < rounds; ++round) {
+            std::vector<NodeMoments> nodes;
+            for (std::size_t row = 0; row < ROWS; ++row) nodes.push_back(gathered(air, int(row), round == 0));
+            for (std::size_t row = 0; row < ROWS; ++row) store(row, nodes[row]);
+        }
+    }
+    shader::sampler2D sampler() const { return {1, LIGHT_TILES * ROWS, texels_.data()}; }
+
+    static constexpr std::size_t ROWS = MULTIPLE_SCATTERING_HEIGHT;
+
+private:
+    NodeMoments gathered(shader::Atmosphere const& air, int row, bool first) const {
+        shader::GatherRays const rays = shader::GROUND_RESPONSE_RAYS;
+        glm::vec2 const node(shader::ground_response_altitude(air, row), 1);
+        NodeMoments sum = gather_moments(air, rays, node, [&](shader::AirRay const& ray) {
+            return shader::light_over_bright_ground(air, sampler(), ray, rays.cells, first);
+        });
+        for (shader::ChannelMoments& channel : sum) channel = shader::zonal_moments(channel);
+        return sum;
+    }
+    void store(std::size_t row, NodeMoments const& moments) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            shader::ChannelMoments const packed = shader::packed_moments(moments[c]);
+            texels_[2 * c * ROWS + row] = packed.low;
+            texels_[(2 * c + 1) * ROWS + row] = packed.high;
+        }
+    }
+    std::vector<glm::vec4> texels_;
+};
+
+} // namespace alpenglow::test
