@@ -24,7 +24,8 @@ INLINE vec3 light_over_bright_ground(IN(Atmosphere) atmosphere, sampler2D respon
     AirLight light = no_air_light();
     float from = segment.begin;
     Medium edge = medium_at(atmosphere, altitude_at(ray, from));
-    for (int i = 0; i < n; ++i) {
+    int i = 0;
+    do {
         MarchCell cell = march_cell_from(cells, from, i, n);
         from = cell.end;
         Medium next = medium_at(atmosphere, altitude_at(ray, cell.end));
@@ -36,7 +37,7 @@ INLINE vec3 light_over_bright_ground(IN(Atmosphere) atmosphere, sampler2D respon
         DiffuseLight diffuse = sample_diffuse_light(response, atmosphere, under_zenith, point.mu);
         if (first) diffuse = no_diffuse_light();
         add_cell(light, diffuse_source(air.mean, diffuse), diffuse_extinction(atmosphere, air.mean), cell_length);
-    }
+    } while (++i < n);
     return behind_air(light, vec3(segment.hits_ground ? 1.0f : 0.0f));
 }
 
@@ -62,11 +63,13 @@ INLINE vec3 ground_difference(IN(Atmosphere) atmosphere, sampler2D transmittance
     vec3 sun = sample_sun_transmittance(transmittance_table, atmosphere, altitude, mu_s);
     vec3 down = sun * max(mu_s, 0.0f) + sample_diffuse_irradiance(table, atmosphere, altitude, mu_s, 1.0f, mu_s);
     vec3 up = sample_diffuse_irradiance(table, atmosphere, altitude, mu_s, -1.0f, -mu_s);
+    vec3 level_sun = sample_sun_transmittance(transmittance_table, atmosphere, 0.0f, mu_s) * max(mu_s, 0.0f);
+    vec3 level = level_sun + sample_diffuse_irradiance(table, atmosphere, 0.0f, mu_s, 1.0f, mu_s);
+    // Less what the table's own ground is off by, so that ground like it makes no difference.
+    up -= sample_diffuse_irradiance(table, atmosphere, 0.0f, mu_s, -1.0f, -mu_s) - atmosphere.ground_albedo * level;
     vec3 response_down = sample_diffuse_irradiance(response, atmosphere, altitude, 1.0f, 1.0f, 1.0f);
     vec3 response_up = sample_diffuse_irradiance(response, atmosphere, altitude, 1.0f, -1.0f, -1.0f);
     vec3 difference = (albedo * down - up) / max(response_up - albedo * response_down, 1e-3f * response_up);
-    vec3 level_sun = sample_sun_transmittance(transmittance_table, atmosphere, 0.0f, mu_s) * max(mu_s, 0.0f);
-    vec3 level = level_sun + sample_diffuse_irradiance(table, atmosphere, 0.0f, mu_s, 1.0f, mu_s);
     return max(difference, -ground_radiance(atmosphere, level));
 }
 
