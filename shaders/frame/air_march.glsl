@@ -6,7 +6,7 @@
 #include "atmosphere/inscattering.glsl"
 #include "frame/sun_shadow.glsl"
 
-layout(constant_id = 0) const int MARCH_ORDERS = MARCH_ALL_ORDERS;
+layout(constant_id = 0) const int MARCH_VARIANT = 0;
 
 // Distances from the ray's origin [m]; empty where end <= begin.
 struct Span {
@@ -50,7 +50,7 @@ void add_air_cell(inout AirLight light, Atmosphere atmosphere, RayPhases phases,
     vec3 sun = seen * sample_sun_transmittance_along(transmittance_table, atmosphere, altitude_at(ray, t), ray.sun_along + t * ray.nu);
     DiffuseLight diffuse = shaded_light(atmosphere, diffuse_light_in(atmosphere, run, middle + air.centre * per_cell), seen);
     vec3 extinction = diffuse_extinction(atmosphere, air.mean);
-    if (MARCH_ORDERS == MARCH_ONE_ORDER) {
+    if ((MARCH_VARIANT & MARCH_ONE_ORDER) != 0) {
         diffuse = no_diffuse_light();
         extinction = air.mean.extinction;
     }
@@ -166,8 +166,9 @@ AirLight march_air(ivec2 pixel, AirRay from_camera, vec3 light, float distance) 
     if (end <= 0.0 || (entry > 0.0 && closest_altitude(from_camera) >= frame.atmosphere.top_altitude)) return no_air_light();
 
     RayPhases phases = phases_of(frame.atmosphere, ray.nu);
+    bool shafts = (MARCH_VARIANT & MARCH_NO_SHAFTS) == 0;
     Span shaded = Span(0.0, 0.0);
-    if ((frame.flags & FRAME_SHAFTS) != 0) shaded = shaded_span(ray, light, entry, end);
+    if (shafts) shaded = shaded_span(ray, light, entry, end);
     int inside = 0, rest = frame.samples;
     if (shaded.end > shaded.begin) {
         bool whole = shaded.end - shaded.begin > 0.98 * end;
@@ -178,7 +179,8 @@ AirLight march_air(ivec2 pixel, AirRay from_camera, vec3 light, float distance) 
     if (inside == 0) shaded = Span(end, end);
     float dither = 0.5;
     if ((frame.flags & FRAME_MARCH_DITHER) != 0) dither = gradient_noise(vec2(pixel) + 5.588238 * float(frame.sample_index));
-    AirLight between = march_shaded(atmosphere, ray, phases, light, entry, shaded, inside, dither);
+    AirLight between = no_air_light();
+    if (shafts) between = march_shaded(atmosphere, ray, phases, light, entry, shaded, inside, dither);
 
     MarchCells first = make_march_cells(atmosphere, ray, 0.0, shaded.begin), second = make_march_cells(atmosphere, ray, shaded.end, end);
     int before = rest > 0 ? cells_before(first, second, rest) : 0;

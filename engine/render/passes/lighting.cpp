@@ -37,8 +37,10 @@ ImageId add_lighting(FrameGraph& graph, FrameInputs const& in, ConstantsId frame
                             sampled(LIGHTING_OPEN_SLOT, surfaces.open, NEAREST_CLAMP),
                             stored(LIGHTING_LIT_SLOT, lit)};
     slots.insert(slots.end(), air.slots.begin(), air.slots.end());
-    int const orders = in.settings.multiple_scattering ? MARCH_ALL_ORDERS : MARCH_ONE_ORDER; // other models have no such constant
-    graph.add(ComputePass{"lighting", in.model.lighting, std::move(slots), in.extent, bytes_of(push), orders});
+    bool const shafts = (in.constants.front().flags & FRAME_SHAFTS) != 0;
+    // Of `march`; the other models have no such constant.
+    int const variant = (in.settings.multiple_scattering ? 0 : MARCH_ONE_ORDER) | (shafts ? 0 : MARCH_NO_SHAFTS);
+    graph.add(ComputePass{"lighting", in.model.lighting, std::move(slots), in.extent, bytes_of(push), variant});
     return lit;
 }
 

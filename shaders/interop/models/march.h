@@ -6,8 +6,8 @@
 #define MARCH_TRANSMITTANCE_SLOT (LIGHTING_MODEL_SLOT + 0)       // tables: linear filter, clamped to the edge
 #define MARCH_MULTIPLE_SCATTERING_SLOT (LIGHTING_MODEL_SLOT + 1)
 
-// Variants: which orders of scattering a ray brings. A constant, since software devices run both sides of a branch.
-#define MARCH_ALL_ORDERS 0
-#define MARCH_ONE_ORDER 1
+// Variants, added up; 0 has everything. Constants, since software devices run both sides of a branch.
+#define MARCH_ONE_ORDER 1 // only light scattered once
+#define MARCH_NO_SHAFTS 2 // samples don't look into the cascades
 
 #endif
