@@ -26,17 +26,12 @@ INLINE vec3 light_over_bright_ground(IN(Atmosphere) atmosphere, sampler2D respon
     Medium edge = medium_at(atmosphere, altitude_at(ray, from));
     int i = 0;
     do {
-        MarchCell cell = march_cell_from(cells, from, i, n);
-        from = cell.end;
-        Medium next = medium_at(atmosphere, altitude_at(ray, cell.end));
-        CellMedium air = cell_medium(edge, medium_at(atmosphere, altitude_at(ray, cell.middle)), next);
-        edge = next;
-        float cell_length = cell.end - cell.begin;
-        AirPoint point = air_point_at(ray, cell.middle + air.centre * cell_length);
+        AirCell cell = next_air_cell(atmosphere, ray, cells, from, edge, i, n);
+        AirPoint point = air_point_at(ray, cell.centre);
         AirPoint under_zenith = AirPoint(point.altitude, point.mu, 1.0f);
         DiffuseLight diffuse = sample_diffuse_light(response, atmosphere, under_zenith, point.mu);
         if (first) diffuse = no_diffuse_light();
-        add_cell(light, diffuse_source(air.mean, diffuse), diffuse_extinction(atmosphere, air.mean), cell_length);
+        add_cell(light, diffuse_source(cell.air.mean, diffuse), diffuse_extinction(atmosphere, cell.air.mean), cell.size);
     } while (++i < n);
     return behind_air(light, vec3(segment.hits_ground ? 1.0f : 0.0f));
 }

@@ -64,6 +64,28 @@ INLINE vec3 diffuse_extinction(IN(Atmosphere) atmosphere, IN(Medium) medium) {
 // Radiance that the ground sends up [1/sr], under an irradiance.
 INLINE vec3 ground_radiance(IN(Atmosphere) atmosphere, vec3 irradiance) { return atmosphere.ground_albedo * irradiance / PI; }
 
+// A cell of a march with its air.
+struct AirCell {
+    MarchCell place;
+    CellMedium air;
+    float size;   // [m]
+    float centre; // where it stands for itself: distance from the ray's origin [m]
+};
+
+// The i-th of n cells; `from` is where it begins [m] and `edge` the medium there, and then where it ends.
+INLINE AirCell next_air_cell(IN(Atmosphere) atmosphere, AirRay ray, IN(MarchCells) cells, INOUT(float) from,
+                             INOUT(Medium) edge, int i, int n) {
+    AirCell cell;
+    cell.place = march_cell_from(cells, from, i, n);
+    Medium next = medium_at(atmosphere, altitude_at(ray, cell.place.end));
+    cell.air = cell_medium(edge, medium_at(atmosphere, altitude_at(ray, cell.place.middle)), next);
+    cell.size = cell.place.end - from;
+    cell.centre = cell.place.middle + cell.air.centre * cell.size;
+    from = cell.place.end;
+    edge = next;
+    return cell;
+}
+
 // Radiance of the first order that a ray inside the air brings to its origin [1/sr]: sunlight that the air or the ground
 // has scattered once.
 INLINE vec3 first_order_light(IN(Atmosphere) atmosphere, sampler2D transmittance_table, AirRay ray, int n) {
@@ -75,16 +97,11 @@ INLINE vec3 first_order_light(IN(Atmosphere) atmosphere, sampler2D transmittance
     Medium edge = medium_at(atmosphere, altitude_at(ray, from));
     int i = 0;
     do {
-        MarchCell cell = march_cell_from(cells, from, i, n);
-        from = cell.end;
-        Medium next = medium_at(atmosphere, altitude_at(ray, cell.end));
-        CellMedium air = cell_medium(edge, medium_at(atmosphere, altitude_at(ray, cell.middle)), next);
-        edge = next;
-        float cell_length = cell.end - cell.begin;
-        AirPoint point = air_point_at(ray, cell.middle + air.centre * cell_length);
+        AirCell cell = next_air_cell(atmosphere, ray, cells, from, edge, i, n);
+        AirPoint point = air_point_at(ray, cell.centre);
         vec3 sun = sample_sun_transmittance(transmittance_table, atmosphere, point.altitude, point.mu_s);
-        vec3 source = directed_scattering(air.mean, phases) * sun;
-        add_cell(light, source, diffuse_extinction(atmosphere, air.mean), cell_length);
+        vec3 source = directed_scattering(cell.air.mean, phases) * sun;
+        add_cell(light, source, diffuse_extinction(atmosphere, cell.air.mean), cell.size);
     } while (++i < n);
     AirPoint last = air_point_at(ray, segment.end);
     vec3 sun = sample_sun_transmittance(transmittance_table, atmosphere, 0.0f, last.mu_s) * max(last.mu_s, 0.0f);
@@ -109,15 +126,11 @@ INLINE vec3 scattered_light(IN(Atmosphere) atmosphere, sampler2D table, AirRay r
         run.middle = diffuse_node(table, atmosphere, ray, march_distance(cells, 0.5f * float(first + end) / float(n)));
         run.far = diffuse_node(table, atmosphere, ray, march_distance(cells, float(end) / float(n)));
         do {
-            MarchCell cell = march_cell_from(cells, from, i, n);
-            from = cell.end;
-            Medium next = medium_at(atmosphere, altitude_at(ray, cell.end));
-            CellMedium air = cell_medium(edge, medium_at(atmosphere, altitude_at(ray, cell.middle)), next);
-            edge = next;
+            AirCell cell = next_air_cell(atmosphere, ray, cells, from, edge, i, n);
             DiffuseLight diffuse =
-                diffuse_light_in(atmosphere, run, (float(i - first) + 0.5f + air.centre) * per_cell);
-            vec3 source = diffuse_source(air.mean, diffuse);
-            add_cell(light, source, diffuse_extinction(atmosphere, air.mean), cell.end - cell.begin);
+                diffuse_light_in(atmosphere, run, (float(i - first) + 0.5f + cell.air.centre) * per_cell);
+            vec3 source = diffuse_source(cell.air.mean, diffuse);
+            add_cell(light, source, diffuse_extinction(atmosphere, cell.air.mean), cell.size);
         } while (++i < end);
     } while (i < n);
     float mu_s = air_point_at(ray, segment.end).mu_s;
