@@ -18,7 +18,7 @@ glm::vec3 step_at(double altitude, double rise) {
     return glm::vec3(bottom, 1 / STEP, rise);
 }
 
-/// The ramps whose sum is the profile, as in Atmosphere.
+/// The ramps whose sum is the profile, as in AirContent.
 std::vector<glm::vec3> ramps_of(LinearProfile const& profile) {
     using Node = LinearProfile::Node;
     std::vector<glm::vec3> ramps;

@@ -70,9 +70,10 @@ public:
     Grid(Scene const& scene, glm::dmat4 const& world_from_scene, double planet_radius)
         : scene_(scene), world_from_scene_(world_from_scene), planet_radius_(planet_radius),
           cells_(std::size_t(GROUND_PATCHES * GROUND_PATCHES)) {
+        pictures_.resize(scene.pictures.size());
         for (Material const& material : scene.materials) {
             Texture const& texture = material.base_color_texture;
-            pictures_.push_back(texture ? std::optional(SmallPicture(scene.pictures[texture.picture])) : std::nullopt);
+            if (texture && !pictures_[texture.picture]) pictures_[texture.picture].emplace(scene.pictures[texture.picture]);
         }
         glm::dvec3 const size = scene.bounds.highest - scene.bounds.lowest;
         spacing_ = glm::max(glm::dvec2(size.x, size.z) / double(GROUND_PATCHES), glm::dvec2(1e-9));
@@ -112,11 +113,13 @@ private:
         return {glm::dvec3(scene_from_mesh * glm::dvec4(vertex.position, 1)), glm::dvec2(uv),
                 glm::dvec3(vertex.color) * glm::dvec3(material.base_color)};
     }
-    /// A triangle wider than a patch in four.
+    /// A triangle wider than a patch in four, as long as there are splits left.
     void add(std::uint32_t material, Corner const& a, Corner const& b, Corner const& c, int splits) {
         glm::dvec3 const size = glm::max(glm::max(a.position, b.position), c.position) -
                                 glm::min(glm::min(a.position, b.position), c.position);
-        if (splits == 0 || (size.x <= spacing_.x && size.z <= spacing_.y)) return add_whole(material, a, b, c);
+        if (splits == 0 || splits_left_ == 0 || (size.x <= spacing_.x && size.z <= spacing_.y))
+            return add_whole(material, a, b, c);
+        --splits_left_;
         Corner const ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
         add(material, a, ab, ca, splits - 1);
         add(material, ab, b, bc, splits - 1);
@@ -143,13 +146,14 @@ private:
     glm::dvec3 picture_at(std::uint32_t material, glm::dvec2 const& uv) const {
         Texture const& texture = scene_.materials[material].base_color_texture;
         if (!texture) return glm::dvec3(1);
-        return pictures_[material]->at({wrapped(uv.x, texture.wrap_u), wrapped(uv.y, texture.wrap_v)});
+        return pictures_[texture.picture]->at({wrapped(uv.x, texture.wrap_u), wrapped(uv.y, texture.wrap_v)});
     }
 
     Scene const& scene_;
     glm::dmat4 world_from_scene_;
     double planet_radius_; ///< [m]
-    std::vector<std::optional<SmallPicture>> pictures_; ///< by material
+    int splits_left_ = 1 << 20; ///< of all triangles: a scene may hold millions as wide as itself
+    std::vector<std::optional<SmallPicture>> pictures_; ///< the scene's that base colours use
     glm::dvec2 spacing_{0};                             ///< [m]
     std::vector<Cell> cells_;
 };

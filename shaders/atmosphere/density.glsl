@@ -33,7 +33,7 @@ INLINE int component_code(IN(Atmosphere) atmosphere, int i) {
 
 INLINE bool component_scatters(IN(Atmosphere) atmosphere, int i) { return component_code(atmosphere, i) > 127; }
 
-// The share of a ramp's rise at altitude h [m]. `ramp` as in Atmosphere.
+// The share of a ramp's rise at altitude h [m]. `ramp` as in AirContent.
 INLINE float ramp_share(vec3 ramp, float h) { return clamp((h - ramp.x) * ramp.y, 0.0f, 1.0f); }
 
 // Relative to where the component's coefficients hold. `next_ramp`: its first ramp; then the next component's.

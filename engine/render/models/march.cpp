@@ -104,6 +104,11 @@ std::vector<Slot> lighting_slots(FrameGraph& graph, AirTableInputs const& inputs
             sampled(MARCH_MULTIPLE_SCATTERING_SLOT, own ? inputs.tables[ORDERS] : orders_over_ground(graph, inputs))};
 }
 
+int lighting_variant(FrameInputs const& in) {
+    bool const shafts = (in.constants.front().flags & FRAME_SHAFTS) != 0;
+    return (in.settings.multiple_scattering ? 0 : MARCH_ONE_ORDER) | (shafts ? 0 : MARCH_NO_SHAFTS);
+}
+
 } // namespace
 
 AirModel make_march() {
@@ -119,6 +124,7 @@ AirModel make_march() {
                        {"multiple_scattering", moments_size(NODES), ShowScale::logarithm}},
             .steps = make_steps(),
             .lighting_slots = lighting_slots,
+            .lighting_variant = lighting_variant,
             .limits = [](World const&, Settings const&, bool) -> std::string_view { return {}; }};
 }
 

@@ -53,6 +53,8 @@ struct AirModel {
     /// Gives what the lighting pass binds behind its own slots, numbered from LIGHTING_MODEL_SLOT on, and declares the
     /// passes that fill tables of this frame's view.
     std::vector<Slot> (*lighting_slots)(FrameGraph& graph, AirTableInputs const& inputs);
+    /// Which variant of the lighting pass draws this frame: its specialization constant 0. Models without any have none.
+    int (*lighting_variant)(FrameInputs const& in) = nullptr;
     /// What the model leaves out or can't do in this world, with meshes in it or without, in one sentence; empty where
     /// it applies in full.
     std::string_view (*limits)(World const& world, Settings const& settings, bool meshes);

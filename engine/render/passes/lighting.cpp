@@ -1,7 +1,6 @@
 #include "render/passes/lighting.h"
 
 #include "interop/lighting.h"
-#include "interop/models/march.h"
 #include "render/frame_constants.h"
 #include "render/models/model.h"
 
@@ -37,9 +36,7 @@ ImageId add_lighting(FrameGraph& graph, FrameInputs const& in, ConstantsId frame
                             sampled(LIGHTING_OPEN_SLOT, surfaces.open, NEAREST_CLAMP),
                             stored(LIGHTING_LIT_SLOT, lit)};
     slots.insert(slots.end(), air.slots.begin(), air.slots.end());
-    bool const shafts = (in.constants.front().flags & FRAME_SHAFTS) != 0;
-    // Of `march`; the other models have no such constant.
-    int const variant = (in.settings.multiple_scattering ? 0 : MARCH_ONE_ORDER) | (shafts ? 0 : MARCH_NO_SHAFTS);
+    int const variant = in.model.lighting_variant ? in.model.lighting_variant(in) : 0;
     graph.add(ComputePass{"lighting", in.model.lighting, std::move(slots), in.extent, bytes_of(push), variant});
     return lit;
 }
