@@ -4,6 +4,7 @@
 #ifndef ALPENGLOW_FRAME_AIR_MARCH
 #define ALPENGLOW_FRAME_AIR_MARCH
 #include "atmosphere/inscattering.glsl"
+#include "encoding/color.glsl"
 #include "frame/sun_shadow.glsl"
 
 layout(constant_id = 0) const int MARCH_VARIANT = 0;
@@ -68,7 +69,19 @@ DiffuseRun diffuse_run(Atmosphere atmosphere, AirRay ray, float near, float midd
 // no length. Software devices run the body of a loop that tests at its start once more than it turns, all of what is inside it too;
 // and lavapipe (22.3) gives a ray that left a loop early the values of the last turn.
 
-// `n` even cells, each looking into the cascades at its share `dither`.
+// The share of a stretch of a ray, from a distance from the camera on [m], that the sun reaches: the mean of looks at even places, each
+// at the share `dither` of its part.
+float mean_visibility(vec3 light, float begin, float stretch, float dither) {
+    float part = stretch / float(frame.shaft_looks), t = begin + dither * part, seen = 0.0;
+    int i = 0;
+    do {
+        seen += air_visibility(light * t);
+        t += part;
+    } while (++i < frame.shaft_looks);
+    return seen / float(frame.shaft_looks);
+}
+
+// `n` even cells. Light changes slowly along a ray and shadows fast: each cell has several looks into the cascades.
 AirLight march_shaded(Atmosphere atmosphere, AirRay ray, RayPhases phases, vec3 light, float entry, Span span, int n, float dither) {
     AirLight result = no_air_light();
     float size = (span.end - span.begin) / float(max(n, 1));
@@ -81,7 +94,7 @@ AirLight march_shaded(Atmosphere atmosphere, AirRay ray, RayPhases phases, vec3 
         do {
             float begin = span.begin + float(min(i, next)) * size, cell_size = i < next ? size : 0.0;
             MarchCell cell = MarchCell(begin, begin + 0.5 * cell_size, begin + cell_size);
-            float seen = air_visibility(light * (begin + dither * cell_size + entry));
+            float seen = mean_visibility(light, begin + entry, cell_size, dither);
             add_air_cell(result, atmosphere, phases, ray, cell, run, (float(i - first) + 0.5) * per_cell, per_cell, seen, edge);
             ++i;
         } while (subgroupAny(i < next));
@@ -175,6 +188,10 @@ AirLight march_air(ivec2 pixel, AirRay from_camera, vec3 light, float distance) 
         if (whole) shaded = Span(0.0, end);
         inside = whole ? frame.samples : shaded_samples(atmosphere, ray, shaded);
         rest = frame.samples - inside;
+        if (frame.exact_cells > 0) {
+            inside = frame.exact_cells;
+            rest = whole ? 0 : frame.samples;
+        }
     }
     if (inside == 0) shaded = Span(end, end);
     float dither = 0.5;
