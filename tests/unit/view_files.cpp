@@ -182,7 +182,8 @@ TEST(ViewFiles, bad_ones_are_refused_with_the_place_and_the_reason) {
         {"/samples", 1e300, {"/samples", "not a whole number"}},
         {"/aa", 2, {"/aa", "1|4|16"}},
         {"/curve", "film", {"/curve", "\"film\" is out of range", "filmic|exponential"}},
-        {"/shafts", "on", {"/shafts", "true or false"}},
+        {"/shadows", "on", {"/shadows", "true or false"}},
+        {"/shafts", "on", {"/shafts", "off|fast|default|exact"}},
     };
     for (Case const& c : cases) expect_error(ErrorKind::bad_input, c.parts, [&] { load_changed(c.pointer, c.value); });
     expect_error(ErrorKind::bad_input, {"bad.json", "is not JSON", "NaN"},
