@@ -9,6 +9,7 @@
 #include "render/passes/gbuffer.h"
 #include "render/passes/lighting.h"
 #include "render/passes/post_aa.h"
+#include "render/passes/shadow_bounds.h"
 #include "render/passes/show.h"
 #include "render/passes/sun_shadow.h"
 
@@ -24,12 +25,13 @@ void build_frame(FrameGraph& graph, FrameInputs const& in) {
 
     AirTables const tables = add_air_tables(graph, in, frame);
     SunShadow const shadow = add_sun_shadow(graph, in, frame);
+    ImageId const shadow_bounds = add_shadow_bounds(graph, shadow.cascades);
     ImageId toned;
     for (int sample = 0; sample < in.settings.aa; ++sample) {
         if (sample > 0) frame = graph.add_constants(in.constants[static_cast<std::size_t>(sample)]);
         GBuffer const gbuffer = add_gbuffer(graph, in, frame, sample);
         ImageId const open = add_ambient_occlusion(graph, in, frame, gbuffer, sample);
-        AirLayer const air = add_air(graph, in, frame, gbuffer.depth, shadow, tables, sample);
+        AirLayer const air = add_air(graph, in, frame, {gbuffer.depth, shadow, shadow_bounds}, tables, sample);
         ImageId const lit = add_lighting(graph, in, frame, {gbuffer, open, air}, shadow, tables, sample);
         if (sample == 0) add_exposure(graph, lit, exposure, in.settings, in.seconds);
         toned = add_accumulate(graph, lit, mean, exposure, in.settings, sample);

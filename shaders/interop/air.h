@@ -9,6 +9,8 @@
 #define AIR_INSCATTERED_SLOT 3           // out, rgba32f: radiance relative to the sun's irradiance [1/sr]
 #define AIR_TRANSMITTANCE_SLOT 4         // out, rgba32f
 
+#define AIR_SHADOW_BOUNDS_SLOT 7         // in: interop/shadow_bounds.h; with a mesh in the world
+
 // air_repair, in: texel (i, j) holds pixel (i, j) * stride
 #define AIR_COARSE_INSCATTERED_SLOT 5
 #define AIR_COARSE_TRANSMITTANCE_SLOT 6

@@ -11,6 +11,7 @@
 layout(local_size_x = AIR_REPAIR_THREADS) in;
 layout(set = 0, binding = AIR_DEPTH_SLOT) uniform sampler2D depth_image;
 layout(set = 0, binding = AIR_SHADOW_SLOT) uniform sampler2DArrayShadow shadow_cascades;
+layout(set = 0, binding = AIR_SHADOW_BOUNDS_SLOT) uniform sampler2D shadow_bounds;
 layout(set = 0, binding = AIR_INSCATTERED_SLOT, rgba32f) uniform writeonly image2D inscattered_image;
 layout(set = 0, binding = AIR_TRANSMITTANCE_SLOT, rgba32f) uniform writeonly image2D transmittance_image;
 layout(set = 0, binding = AIR_COARSE_INSCATTERED_SLOT) uniform sampler2D coarse_inscattered;
@@ -19,6 +20,7 @@ layout(push_constant, scalar) uniform Push { AirPush push; };
 
 #include "frame/air_between.glsl"
 #include "frame/pixel_ray.glsl"
+#define LIGHT_OF_RAYS
 #include "models/@AIR_MODEL@.glsl" // CMakeLists.txt: once with each file of that folder
 
 shared uint listed[AIR_REPAIR_TILE * AIR_REPAIR_TILE]; // x and y in the tile, 16 bits each

@@ -25,14 +25,15 @@ std::uint32_t repair_threads(std::uint32_t side) {
 
 } // namespace
 
-AirLayer add_air(FrameGraph& graph, FrameInputs const& in, ConstantsId frame, ImageId depth, SunShadow const& shadow,
+AirLayer add_air(FrameGraph& graph, FrameInputs const& in, ConstantsId frame, AirObstacles const& obstacles,
                  AirTables const& tables, int sample) {
     bool const any = (in.constants.front().flags & FRAME_AIR) != 0;
     int const stride = any && in.model.air_stride ? in.model.air_stride(in.settings) : 1;
     Extent const extent = any ? in.extent : Extent{1, 1};
     Extent const coarse{coarse_side(extent.width, stride), coarse_side(extent.height, stride)};
-    std::vector<Slot> slots{constants(FRAME_SLOT, frame), sampled(AIR_DEPTH_SLOT, depth, NEAREST_CLAMP),
-                            sampled_array(AIR_SHADOW_SLOT, shadow.cascades, SHADOW_COMPARE)};
+    std::vector<Slot> slots{constants(FRAME_SLOT, frame), sampled(AIR_DEPTH_SLOT, obstacles.depth, NEAREST_CLAMP),
+                            sampled_array(AIR_SHADOW_SLOT, obstacles.shadow.cascades, SHADOW_COMPARE),
+                            sampled(AIR_SHADOW_BOUNDS_SLOT, obstacles.shadow_bounds, NEAREST_CLAMP)};
     slots.insert(slots.end(), tables.slots.begin(), tables.slots.end());
     auto const add = [&](std::string name, ShaderCode const& shader, AirLayer const& made, Extent threads, std::vector<Slot> more) {
         more.insert(more.end(), slots.begin(), slots.end());
