@@ -63,18 +63,29 @@ vec3 between(CellPart part, vec2 share) {
 
 float largest(vec3 v) { return max(v.x, max(v.y, v.z)); }
 
+const float ONE_SURFACE = 1.5; // depths of a surface's corners differ by less than this factor, but for the last pixels before its horizon
+
+// By how much the share `through` that even air lets pass changes where a surface has one reversed depth in place of another.
+float change(float through, float depth, float other) { return abs(pow(through, min(other / max(depth, TINY), 100.0)) - through); }
+
+// The same for a pixel's depth in place of those at the corners: where they are one surface, in place of its plane's, which is linear.
+float depth_change(vec4 corners, vec2 share, float depth, float through) {
+    float nearest = max(max(corners.x, corners.y), max(corners.z, corners.w)), farthest = min(min(corners.x, corners.y), min(corners.z, corners.w));
+    float plane = mix(mix(corners.x, corners.y, share.x), mix(corners.z, corners.w, share.x), share.y);
+    if (depth == 0.0 && nearest == 0.0) return 0.0;
+    if (nearest < ONE_SURFACE * farthest) return change(through, depth, plane);
+    return max(change(through, depth, nearest), change(through, depth, farthest));
+}
+
 // The light at a share of the cell whose surface has that depth. `error` over 1: not good enough.
 AirLight air_between(CoarseCell cell, vec2 share, float depth, float faint, out float error) {
     AirLight air = AirLight(between(cell.inscattered, share), between(cell.transmittance, share));
     float bright = max(luminance(air.inscattered), faint);
     float doubt = max(largest(cell.inscattered.doubt) / bright, largest(cell.transmittance.doubt));
 
-    // What a surface that is nearer or farther than its neighbours' changes, as in even air. Depths are linear on planes.
-    float expected = mix(mix(cell.depth[0], cell.depth[1], share.x), mix(cell.depth[2], cell.depth[3], share.x), share.y);
-    bool sky = depth == 0.0 && expected == 0.0;
-    float off = sky ? 0.0 : min(abs(depth - expected) / max(min(depth, expected), TINY), 1.0);
-    float through = clamp(luminance(air.transmittance), 1e-4, 0.9999), thickness = -log(through);
-    doubt = max(doubt, off * thickness * through * max(luminance(air.inscattered) / (bright * (1.0 - through)), 1.0));
+    float through = clamp(luminance(air.transmittance), 0.0, 0.9999);
+    float off = depth_change(cell.depth, share, depth, through);
+    doubt = max(doubt, off * max(luminance(air.inscattered) / (bright * (1.0 - through)), 1.0));
     error = doubt / TOLERANCE;
     return air;
 }
