@@ -9,20 +9,6 @@
 
 layout(constant_id = 0) const int MARCH_VARIANT = 0;
 
-// Distances from the ray's origin [m]; empty where end <= begin.
-struct Span {
-    float begin, end;
-};
-
-Span crossed(Span a, Span b) { return Span(max(a.begin, b.begin), min(a.end, b.end)); }
-
-// Where a line a + b t lies between 0 and 1.
-Span unit_span(float a, float b) {
-    float slope = abs(b) < 1e-20 ? 1e-20 : b;
-    float t0 = -a / slope, t1 = (1.0 - a) / slope;
-    return Span(min(t0, t1), max(t0, t1));
-}
-
 // Where the ray lies below an altitude: one stretch, since a sphere is convex.
 Span span_below(AirRay ray, float altitude) {
     if (ray.altitude <= altitude) return Span(0.0, distance_out_of(ray, altitude));
@@ -32,11 +18,8 @@ Span span_below(AirRay ray, float altitude) {
 
 // The stretch of `ray` that meshes can shade. The ray starts `entry` [m] from the camera; `light` is its direction in the sun's frame.
 Span shaded_span(AirRay ray, vec3 light, float entry, float end) {
-    Cascade last = frame.cascades[MOST_CASCADES - 1];
-    vec2 slope = light.xy * last.scale;
-    vec2 start = last.offset + slope * entry;
-    Span span = crossed(unit_span(start.x, slope.x), unit_span(start.y, slope.y));
-    span = crossed(span, span_below(ray, frame.shadow_ceiling));
+    Span inside = span_inside(frame.cascades[MOST_CASCADES - 1], light, 0.0);
+    Span span = crossed(Span(inside.begin - entry, inside.end - entry), span_below(ray, frame.shadow_ceiling));
     return crossed(span, Span(0.0, end));
 }
 
@@ -78,7 +61,7 @@ DiffuseRun diffuse_run(Atmosphere atmosphere, AirRay ray, float near, float midd
 // and lavapipe (22.3) gives a ray that left a loop early the values of the last turn.
 
 // `n` even cells. Light changes slowly along a ray and shadows fast: each cell has several looks into the cascades.
-AirLight march_shaded(Atmosphere atmosphere, AirRay ray, RayPhases phases, vec3 light, float entry, Span span, int n, float dither) {
+AirLight march_shaded(Atmosphere atmosphere, AirRay ray, RayPhases phases, ShaftRay shaft, float entry, Span span, int n, float dither) {
     AirLight result = no_air_light();
     float size = (span.end - span.begin) / float(max(n, 1));
     int i = 0;
@@ -90,7 +73,7 @@ AirLight march_shaded(Atmosphere atmosphere, AirRay ray, RayPhases phases, vec3 
         do {
             float begin = span.begin + float(min(i, next)) * size, cell_size = i < next ? size : 0.0;
             MarchCell cell = MarchCell(begin, begin + 0.5 * cell_size, begin + cell_size);
-            Seen seen = seen_between(light, begin + entry, begin + entry + cell_size, dither);
+            Seen seen = seen_between(shaft, begin + entry, begin + entry + cell_size, dither);
             add_air_cell(result, atmosphere, phases, ray, cell, run, (float(i - first) + 0.5) * per_cell, per_cell, seen, edge);
             ++i;
         } while (subgroupAny(i < next));
@@ -193,7 +176,7 @@ AirLight march_air(ivec2 pixel, AirRay from_camera, vec3 light, float distance) 
     float dither = 0.5;
     if ((frame.flags & FRAME_MARCH_DITHER) != 0) dither = gradient_noise(vec2(pixel) + 5.588238 * float(frame.sample_index));
     AirLight between = no_air_light();
-    if (shafts) between = march_shaded(atmosphere, ray, phases, light, entry, shaded, inside, dither);
+    if (shafts) between = march_shaded(atmosphere, ray, phases, make_shaft_ray(light), entry, shaded, inside, dither);
 
     MarchCells first = make_march_cells(atmosphere, ray, 0.0, shaded.begin), second = make_march_cells(atmosphere, ray, shaded.end, end);
     int before = rest > 0 ? cells_before(first, second, rest) : 0;

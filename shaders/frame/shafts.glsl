@@ -11,67 +11,97 @@ struct Seen {
     float slope; // mean of v (x - 1/2)
 };
 
-// A stretch of a ray in a cascade: texture coordinates and depth, and how far inside the last cascade.
+// Distances from the camera [m] of a ray; empty where end <= begin.
+struct Span {
+    float begin, end;
+};
+
+Span crossed(Span a, Span b) { return Span(max(a.begin, b.begin), min(a.end, b.end)); }
+
+// Where a line a + b t lies between 0 and 1.
+Span unit_span(float a, float b) {
+    float slope = abs(b) < 1e-20 ? 1e-20 : b;
+    float t0 = -a / slope, t1 = (1.0 - a) / slope;
+    return Span(min(t0, t1), max(t0, t1));
+}
+
+// Where a ray in the sun's direction `light` is further inside a cascade than the share `margin` of its half width.
+Span span_inside(Cascade cascade, vec3 light, float margin) {
+    vec2 from = (cascade.offset - 0.5 * margin) / (1.0 - margin), slope = light.xy * cascade.scale / (1.0 - margin);
+    return crossed(unit_span(from.x, slope.x), unit_span(from.y, slope.y));
+}
+
+// A ray in the sun's frame, and where on it each cascade serves.
+struct ShaftRay {
+    vec3 light;                   // unit
+    Span held[MOST_CASCADES - 1]; // by the finer ones
+    Span near;                    // by the last one before it fades
+};
+
+const float EDGE = 0.004; // of a cascade's half width: no look of a stretch inside leaves it
+
+ShaftRay make_shaft_ray(vec3 light) {
+    ShaftRay ray;
+    ray.light = light;
+    for (int i = 0; i < MOST_CASCADES - 1; ++i) ray.held[i] = span_inside(frame.cascades[i], light, EDGE);
+    ray.near = span_inside(frame.cascades[MOST_CASCADES - 1], light, frame.shadow_fade);
+    return ray;
+}
+
+bool holds(Span span, float begin, float end) { return span.begin <= begin && end <= span.end; }
+
+// A stretch of a ray in a cascade: texture coordinates and depth.
 struct Stretch {
     vec3 from, along;
     float layer;
-    vec2 last_from, last_along;
 };
 
-// The finest cascade that holds both ends [m], in the sun's frame; else the last.
-Stretch stretch_between(vec3 a, vec3 b) {
+// In the finest cascade that holds it; else in the last.
+Stretch stretch_between(ShaftRay ray, float begin, float end) {
     int index = MOST_CASCADES - 1;
-    for (int i = MOST_CASCADES - 2; i >= 0; --i) {
-        vec2 from = cascade_uv(frame.cascades[i], a.xy), to = cascade_uv(frame.cascades[i], b.xy);
-        if (min(inside_cascade(from), inside_cascade(to)) > 0.004) index = i;
-    }
-    Cascade cascade = frame.cascades[index], last = frame.cascades[MOST_CASCADES - 1];
+    for (int i = MOST_CASCADES - 2; i >= 0; --i)
+        if (holds(ray.held[i], begin, end)) index = i;
+    Cascade cascade = frame.cascades[index];
+    vec3 slope = ray.light * vec3(cascade.scale, cascade.scale, frame.light_depth.x);
     Stretch stretch;
-    stretch.from = vec3(cascade_uv(cascade, a.xy), a.z * frame.light_depth.x + frame.light_depth.y);
-    stretch.along = vec3((b.xy - a.xy) * cascade.scale, (b.z - a.z) * frame.light_depth.x);
+    stretch.from = vec3(cascade.offset, frame.light_depth.y) + begin * slope;
+    stretch.along = (end - begin) * slope;
     stretch.layer = float(min(index, frame.cascade_count - 1));
-    stretch.last_from = cascade_uv(last, a.xy);
-    stretch.last_along = (b.xy - a.xy) * last.scale;
     return stretch;
 }
 
-// Least and greatest depth of the texels that looks at the stretch may filter, of four blocks of a size that they fit into.
+// Least and greatest depth of the texels of a stretch.
 vec2 bounds_around(Stretch stretch) {
     int size = textureSize(shadow_cascades, 0).x, side = textureSize(shadow_bounds, 0).x * 2 / 3;
-    vec2 a = stretch.from.xy * float(size), b = a + stretch.along.xy * float(size);
-    ivec2 low = clamp(ivec2(floor(min(a, b) - 0.5)), ivec2(0), ivec2(size - 1));
-    ivec2 high = clamp(ivec2(floor(max(a, b) + 0.5)), ivec2(0), ivec2(size - 1));
-    int extent = max(high.x - low.x, high.y - low.y); // of one less than their number
+    vec2 a = stretch.from.xy, b = stretch.from.xy + stretch.along.xy;
+    ivec2 low = ivec2(clamp(min(a, b), 0.0, 1.0) * float(size) - 0.01), high = ivec2(clamp(max(a, b), 0.0, 1.0) * float(size) + 0.01);
+    int extent = max(high.x - low.x, high.y - low.y);
     int level = clamp(findMSB(extent / SHADOW_BLOCK) + 1, 0, findMSB(side));
-    int shift = findMSB(SHADOW_BLOCK) + level;
-    ivec2 origin = bounds_origin(side, level, int(stretch.layer));
-    ivec2 first = origin + (low >> shift), second = origin + (high >> shift);
-    vec2 n00 = texelFetch(shadow_bounds, first, 0).rg, n10 = texelFetch(shadow_bounds, ivec2(second.x, first.y), 0).rg;
-    vec2 n01 = texelFetch(shadow_bounds, ivec2(first.x, second.y), 0).rg, n11 = texelFetch(shadow_bounds, second, 0).rg;
-    return vec2(min(min(n00.x, n10.x), min(n01.x, n11.x)), max(max(n00.y, n10.y), max(n01.y, n11.y)));
+    ivec2 block = min(low, ivec2(size - 1)) >> (findMSB(SHADOW_BLOCK) + level);
+    return texelFetch(shadow_bounds, bounds_origin(side, level, int(stretch.layer)) + block, 0).rg;
 }
 
 float look(Stretch stretch, float x) {
     vec3 at = stretch.from + x * stretch.along;
-    float lit = texture(shadow_cascades, vec4(at.xy, stretch.layer, clamp(at.z, 0.0, 1.0)));
-    return faded(lit, inside_cascade(stretch.last_from + x * stretch.last_along));
+    return shadow_look(vec4(at.xy, stretch.layer, clamp(at.z, 0.0, 1.0)));
 }
 
-// Of the stretch between two distances [m] of a ray in the sun's direction `light`, from the camera on. Stretches that are lit or dark as a
-// whole cost no more than one look, others `frame.shaft_looks` at even places, each at the share `dither` of its part.
-Seen seen_between(vec3 light, float begin, float end, float dither) {
-    Stretch stretch = stretch_between(light * begin, light * end);
+// Of the stretch between two distances [m] from the camera. Stretches that are lit or dark as a whole cost no more than one look,
+// others `frame.shaft_looks` at even places, each at the share `dither` of its part.
+Seen seen_between(ShaftRay ray, float begin, float end, float dither) {
+    Stretch stretch = stretch_between(ray, begin, end);
     vec2 bounds = bounds_around(stretch);
     float z0 = clamp(stretch.from.z, 0.0, 1.0), z1 = clamp(stretch.from.z + stretch.along.z, 0.0, 1.0);
     bool lit = max(z0, z1) <= bounds.x, dark = min(z0, z1) > bounds.y;
-    bool within = min(inside_cascade(stretch.last_from), inside_cascade(stretch.last_from + stretch.last_along)) >= frame.shadow_fade;
-    bool known = within && (lit || dark);
+    bool near = holds(ray.near, begin, end), known = near && (lit || dark);
 
+    Cascade last = frame.cascades[MOST_CASCADES - 1];
     float part = 1.0 / float(frame.shaft_looks), x = dither * part;
     Seen seen = Seen(0.0, 0.0);
     int i = 0;
     do {
         float v = look(stretch, x);
+        v = faded(v, inside_cascade(cascade_uv(last, ray.light.xy * mix(begin, end, x))));
         seen.mean += v;
         seen.slope += v * (x - 0.5);
         x += part;

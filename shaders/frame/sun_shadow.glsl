@@ -4,6 +4,16 @@
 #define ALPENGLOW_FRAME_SUN_SHADOW
 #include "interop/frame.h"
 
+// 1 where a place in a cascade (texture coordinates, layer, depth) is lit. The air's rays look at so many that single texels will do.
+#ifdef LIGHT_OF_RAYS
+float shadow_look(vec4 at) {
+    ivec3 texel = ivec3(at.xy * float(textureSize(shadow_cascades, 0).x), int(at.z));
+    return at.w <= texelFetch(shadow_cascades, texel, 0).r ? 1.0 : 0.0;
+}
+#else
+float shadow_look(vec4 at) { return texture(shadow_cascades, at); }
+#endif
+
 // A place in the cascade that was chosen for it.
 struct CascadePlace {
     vec2 uv;
@@ -50,7 +60,7 @@ float faded(float lit, float last_inside) { return mix(1.0, lit, clamp(last_insi
 // 1 where the sun reaches a place in the air, 0 in shadow. `light`: in the sun's frame, from the camera [m].
 float air_visibility(vec3 light) {
     CascadePlace place = choose_cascade(light.xy, 0.004, 0.0);
-    float lit = texture(shadow_cascades, vec4(place.uv, place.layer, light_depth(light.z)));
+    float lit = shadow_look(vec4(place.uv, place.layer, light_depth(light.z)));
     return faded(lit, place.last_inside);
 }
 
@@ -67,7 +77,7 @@ float surface_visibility_in(CascadePlace place, vec3 light, vec3 light_normal) {
     vec3 moved = moved_out(place, light, light_normal);
     float lit = 0.0;
     for (int y = -1; y <= 1; ++y) {
-        for (int x = -1; x <= 1; ++x) lit += texture(shadow_cascades, vec4(moved.xy + vec2(x, y) * place.texel_uv, place.layer, moved.z));
+        for (int x = -1; x <= 1; ++x) lit += shadow_look(vec4(moved.xy + vec2(x, y) * place.texel_uv, place.layer, moved.z));
     }
     return lit / 9.0;
 }
@@ -82,7 +92,7 @@ float surface_visibility(vec3 light, vec3 light_normal) {
     float share = clamp((near.inside - SURFACE_MARGIN) / SURFACE_BLEND, 0.0, 1.0);
     // One comparison of the coarser cascade, which the sampler filters over two of its texels, is as soft as nine of the finer one.
     vec3 moved = moved_out(far, light, light_normal);
-    float far_lit = texture(shadow_cascades, vec4(moved.xy, far.layer, moved.z));
+    float far_lit = shadow_look(vec4(moved.xy, far.layer, moved.z));
     return faded(mix(far_lit, surface_visibility_in(near, light, light_normal), share), near.last_inside);
 }
 

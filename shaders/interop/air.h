@@ -5,7 +5,7 @@
 #include "interop/frame.h"
 
 #define AIR_DEPTH_SLOT 1                 // in, the G-buffer's
-#define AIR_SHADOW_SLOT 2                // in, cascades: depth array with comparison
+#define AIR_SHADOW_SLOT 2                // in, cascades: depth array
 #define AIR_INSCATTERED_SLOT 3           // out, rgba32f: radiance relative to the sun's irradiance [1/sr]
 #define AIR_TRANSMITTANCE_SLOT 4         // out, rgba32f
 

@@ -1,17 +1,22 @@
-// Pass `shadow_bounds`: least and greatest depth of blocks of each shadow cascade, from small blocks to the whole.
+// Passes `shadow_blocks` and `shadow_bounds`: least and greatest depth of blocks of each shadow cascade, from small blocks to the whole.
 // Level k of a cascade has blocks of SHADOW_BLOCK << k texels. Level 0 stands at the left of the image, the others right of it,
 // one below the other, and cascades below each other.
 #ifndef ALPENGLOW_INTEROP_SHADOW_BOUNDS_H
 #define ALPENGLOW_INTEROP_SHADOW_BOUNDS_H
 #include "interop/language.h"
 
-#define SHADOW_BOUNDS_CASCADES_SLOT 0 // in: depth array, plain
-#define SHADOW_BOUNDS_IMAGE_SLOT 1    // out, rg32f: least, greatest; read and written behind the first level
+// shadow_blocks, level by level
+#define SHADOW_BLOCKS_CASCADES_SLOT 0 // in: depth array, plain
+#define SHADOW_BLOCKS_IMAGE_SLOT 1    // out, rg32f: least, greatest; read and written behind the first level
+
+// shadow_bounds: of each block and those after it in x, in y and in both, so that one texel holds the bounds of whatever fits into a block
+#define SHADOW_BOUNDS_BLOCKS_SLOT 0   // in
+#define SHADOW_BOUNDS_IMAGE_SLOT 1    // out, rg32f
 
 #define SHADOW_BLOCK 8 // [texels] side of the smallest blocks
 
 SHADER_NAMESPACE_BEGIN
-struct ShadowBoundsPush {
+struct ShadowBlocksPush {
     int side;  // of level 0 in blocks, a power of two
     int level; // to make
 };
@@ -21,6 +26,9 @@ INLINE ivec2 bounds_origin(int side, int level, int cascade) {
     int y = level > 0 ? side - (side >> (level - 1)) : 0;
     return ivec2(level > 0 ? side : 0, cascade * side + y);
 }
+
+// Least and greatest of both.
+INLINE vec2 joined(vec2 a, vec2 b) { return vec2(min(a.x, b.x), max(a.y, b.y)); }
 SHADER_NAMESPACE_END
 
 #endif

@@ -4,35 +4,20 @@
 #include "interop/shadow_bounds.h"
 
 layout(local_size_x = WORKGROUP_SIZE, local_size_y = WORKGROUP_SIZE) in;
-layout(set = 0, binding = SHADOW_BOUNDS_CASCADES_SLOT) uniform sampler2DArray cascades;
-layout(set = 0, binding = SHADOW_BOUNDS_IMAGE_SLOT, rg32f) uniform image2D bounds_image;
-layout(push_constant, scalar) uniform Push { ShadowBoundsPush push; };
+layout(set = 0, binding = SHADOW_BOUNDS_BLOCKS_SLOT) uniform sampler2D blocks;
+layout(set = 0, binding = SHADOW_BOUNDS_IMAGE_SLOT, rg32f) uniform writeonly image2D bounds_image;
 
-vec2 joined(vec2 a, vec2 b) { return vec2(min(a.x, b.x), max(a.y, b.y)); }
-
-// Beyond the cascade's edge: its last texels.
-vec2 bounds_of_texels(ivec2 block, int cascade) {
-    vec2 texel = 1.0 / vec2(textureSize(cascades, 0).xy), bounds = vec2(1.0, 0.0);
-    for (int i = 0; i < SHADOW_BLOCK * SHADOW_BLOCK / 4; ++i) {
-        vec2 at = vec2(block * SHADOW_BLOCK + 2 * ivec2(i % (SHADOW_BLOCK / 2), i / (SHADOW_BLOCK / 2)) + 1) * texel;
-        vec4 four = textureGather(cascades, vec3(at, cascade));
-        bounds = joined(bounds, vec2(min(min(four.x, four.y), min(four.z, four.w)), max(max(four.x, four.y), max(four.z, four.w))));
-    }
-    return bounds;
-}
-
-vec2 bounds_of_blocks(ivec2 block, int cascade) {
-    ivec2 from = bounds_origin(push.side, push.level - 1, cascade) + 2 * block;
-    vec2 low = joined(imageLoad(bounds_image, from).rg, imageLoad(bounds_image, from + ivec2(1, 0)).rg);
-    return joined(low, joined(imageLoad(bounds_image, from + ivec2(0, 1)).rg, imageLoad(bounds_image, from + ivec2(1, 1)).rg));
-}
+// The level that a row of the right part of the image belongs to, counted from the cascade's first.
+int level_of_row(int side, int row) { return findMSB(side) - findMSB(max(side - row - 1, 1)); }
 
 void main() {
-    int side = push.side >> push.level;
-    ivec2 block = ivec2(gl_GlobalInvocationID.xy);
-    int cascade = block.y / side;
-    block.y -= cascade * side;
-    if (block.x >= side || cascade >= textureSize(cascades, 0).z) return;
-    vec2 bounds = push.level == 0 ? bounds_of_texels(block, cascade) : bounds_of_blocks(block, cascade);
-    imageStore(bounds_image, bounds_origin(push.side, push.level, cascade) + block, vec4(bounds, 0.0, 0.0));
+    ivec2 texel = ivec2(gl_GlobalInvocationID.xy), size = textureSize(blocks, 0);
+    if (any(greaterThanEqual(texel, size))) return;
+    int side = size.x - size.x / 3, cascade = texel.y / side;
+    int level = texel.x < side ? 0 : level_of_row(side, texel.y - cascade * side);
+    ivec2 last = bounds_origin(side, level, cascade) + (side >> level) - 1;
+    ivec2 next = min(texel + 1, max(last, texel));
+    vec2 low = joined(texelFetch(blocks, texel, 0).rg, texelFetch(blocks, ivec2(next.x, texel.y), 0).rg);
+    vec2 high = joined(texelFetch(blocks, ivec2(texel.x, next.y), 0).rg, texelFetch(blocks, next, 0).rg);
+    imageStore(bounds_image, texel, vec4(joined(low, high), 0.0, 0.0));
 }
