@@ -1,16 +1,14 @@
 #include "support/render_test.h"
 
 #include <algorithm>
-#include <array>
-#include <functional>
-#include <utility>
+#include <map>
 
 using namespace alpenglow;
 using namespace alpenglow::test;
 
 namespace {
 
-constexpr Extent EXTENT{48, 27};
+constexpr Extent EXTENT{32, 18};
 
 /// Another value of a setting, in its range; of a text that takes any, one that is known here.
 std::optional<SettingValue> another_value(Settings const& settings, SettingInfo const& info) {
@@ -23,33 +21,11 @@ std::optional<SettingValue> another_value(Settings const& settings, SettingInfo 
     if (info.name == "show") return "lit";
     if (info.name == "air_without") return "ozone";
     if (info.name == "air_phases") return "aerosol=henyey_greenstein:0.6";
-    if (int const* const whole = std::get_if<int>(&now)) return std::max(int(info.smallest), *whole / 2);
+    if (int const* const whole = std::get_if<int>(&now)) return *whole / 2 < info.smallest ? *whole * 2 : *whole / 2;
     if (double const* const number = std::get_if<double>(&now))
         return std::clamp(*number == 0 ? 1 : *number / 2, info.smallest, info.largest);
     return std::nullopt;
 }
-
-struct AirChange {
-    char const* name;
-    std::function<void(Planet&)> change;
-};
-
-std::vector<AirChange> const AIR_CHANGES{
-    {"rayleigh scattering", [](Planet& planet) { planet.air.at("rayleigh").scattering *= 1.5; }},
-    {"rayleigh scale height", [](Planet& planet) { planet.air.at("rayleigh").profile = ExponentialProfile{6400}; }},
-    {"aerosol scattering", [](Planet& planet) { planet.air.at("aerosol").scattering *= 0.5; }},
-    {"aerosol absorption", [](Planet& planet) { planet.air.at("aerosol").absorption *= 30.0; }},
-    {"aerosol scale height", [](Planet& planet) { planet.air.at("aerosol").profile = ExponentialProfile{1800}; }},
-    {"aerosol g", [](Planet& planet) { planet.air.at("aerosol").phase.g = 0.6; }},
-    {"ozone", [](Planet& planet) { planet.air.at("ozone").absorption *= 0.0; }},
-    {"ozone switched off", [](Planet& planet) { planet.air.at("ozone").on = false; }},
-    {"aerosol in a shell", [](Planet& planet) { planet.air.at("aerosol").profile = shell_profile(1000, 3000); }},
-    {"one component less", [](Planet& planet) { planet.air.components.pop_back(); }},
-    {"top", [](Planet& planet) { planet.air.top_altitude = 7e4; }},
-    {"albedo", [](Planet& planet) { planet.ground_albedo = glm::dvec3(0.6); }},
-    {"sunlight", [](Planet& planet) { planet.solar_irradiance = {1.5, 1.2, 0.9}; }},
-    {"radius", [](Planet& planet) { planet.radius *= 0.5; }},
-};
 
 /// A renderer that has drawn something else before draws as one that has not.
 class Changes : public RenderTest {
@@ -65,18 +41,34 @@ protected:
     }
     /// With tables that are finished.
     ByteImage drawn(Renderer& by, Planet const& planet, Settings const& settings) {
-        if (placed_on_ != &by || radius_ != planet.radius) {
-            by.set_scene(&scene_, stand_on(planet).placement, planet.radius);
-            placed_on_ = &by, radius_ = planet.radius;
-        }
+        double& radius = placed_on_[&by];
+        if (radius != planet.radius) by.set_scene(&scene_, stand_on(planet).placement, radius = planet.radius);
         do by.draw(world_of(planet), settings, EXTENT);
         while (!by.tables_finished());
         return by.picture();
     }
+    /// Two renderers with different pasts: `running_` has drawn `base`, the other one with all of `changes` made. A setting
+    /// that either of them does not obey at once makes a difference.
+    void expect_obeyed(Settings const& base, std::vector<SettingInfo const*> const& changes) {
+        Settings all = base;
+        for (SettingInfo const* const info : changes) set_setting(all, *info, *another_value(base, *info));
+        Renderer other(device());
+        for (SettingInfo const* const info : changes) {
+            Settings settings = base;
+            set_setting(settings, *info, *another_value(base, *info));
+            drawn(running_, earth_, base);
+            drawn(other, earth_, all);
+            ByteImage const changed = drawn(running_, earth_, settings);
+            expect_same(changed, drawn(other, earth_, settings), info->name);
+        }
+    }
     void expect_fresh(Planet const& planet, Settings const& settings, std::string_view what) {
         ByteImage const changed = drawn(running_, planet, settings);
         Renderer fresh(device());
-        ByteImage const expected = drawn(fresh, planet, settings);
+        placed_on_.erase(&fresh);
+        expect_same(changed, drawn(fresh, planet, settings), what);
+    }
+    static void expect_same(ByteImage const& changed, ByteImage const& expected, std::string_view what) {
         int most = 0;
         for (std::size_t i = 0; i < expected.rgba.size(); ++i)
             most = std::max(most, std::abs(int(changed.rgba[i]) - int(expected.rgba[i])));
@@ -86,59 +78,48 @@ protected:
     Planet const earth_ = load_planet("earth");
     Scene scene_ = scene_of({matte({0.3f, 0.25f, 0.2f})});
     Renderer running_{device()};
-    Renderer const* placed_on_ = nullptr;
-    double radius_ = 0;
+    std::map<Renderer const*, double> placed_on_; ///< radius of the planet on which its scene stands [m]
 };
 
 } // namespace
 
-TEST_F(Changes, of_each_setting_give_the_picture_of_a_fresh_start) {
+TEST_F(Changes, of_each_setting_are_obeyed_at_once) {
     Settings base;
-    base.model = "naive"; // it has no tables to make for each fresh start
+    base.model = "naive"; // it has no tables to make for each air
+    base.samples = 8;     // enough to tell pictures apart
     base.cascade_size = 256;
+    std::vector<SettingInfo const*> changes;
     for (SettingInfo const& info : setting_table()) {
-        std::optional<SettingValue> const value = another_value(base, info);
-        if (!value) {
+        if (another_value(base, info)) {
+            changes.push_back(&info);
+        } else {
             ADD_FAILURE() << "give setting " << info.name << " another value here";
-            continue;
         }
-        Settings settings = base;
-        set_setting(settings, info, *value);
-        drawn(running_, earth_, base);
-        expect_fresh(earth_, settings, info.name);
     }
+    expect_obeyed(base, changes);
 }
 
-TEST_F(Changes, of_what_the_default_model_obeys_give_the_picture_of_a_fresh_start) {
+TEST_F(Changes, of_what_the_default_model_obeys_are_obeyed_at_once) {
     Settings base;
     base.cascade_size = 256;
-    for (char const* const name : {"air", "model", "samples", "shafts", "multiple_scattering", "march_dither", "shadows"}) {
-        Settings settings = base;
-        SettingInfo const& info = *find_setting(name);
-        set_setting(settings, info, *another_value(base, info));
-        drawn(running_, earth_, base);
-        expect_fresh(earth_, settings, name);
-    }
+    base.samples = 8; // half of them is seen
+    std::vector<SettingInfo const*> changes;
+    for (char const* const name : {"air", "model", "samples", "shafts", "multiple_scattering", "march_dither", "shadows"})
+        changes.push_back(find_setting(name));
+    expect_obeyed(base, changes);
 }
 
-TEST_F(Changes, of_the_air_give_the_picture_of_a_fresh_start) {
+// Which changes of the air have the tables made anew is in tests/unit/air_table_work.cpp.
+TEST_F(Changes, of_the_air_and_the_planet_give_the_picture_of_a_fresh_start) {
     Settings settings;
     settings.model = "tables";
     settings.cascade_size = 256;
     drawn(running_, earth_, settings);
-    for (AirChange const& change : AIR_CHANGES) {
-        Planet planet = earth_;
-        change.change(planet);
-        settings.model = change.name == std::string_view("aerosol g") ? "march" : "tables";
-        expect_fresh(planet, settings, change.name);
-    }
-}
-
-TEST_F(Changes, of_the_planet_give_the_picture_of_a_fresh_start) {
-    Settings settings;
-    settings.model = "tables";
+    Planet changed = earth_;
+    changed.air.at("aerosol").profile = shell_profile(1000, 3000);
+    changed.air.components.pop_back();
+    changed.ground_albedo = glm::dvec3(0.6);
+    expect_fresh(changed, settings, "another air");
     settings.spread_tables = true;
-    settings.cascade_size = 256;
-    drawn(running_, earth_, settings);
     for (char const* const name : {"dense", "airless", "earth_hazy"}) expect_fresh(load_planet(name), settings, name);
 }
