@@ -45,11 +45,11 @@ GltfWriter valley() {
 /// Columns of six sides, 90 to 220 m high, with an aisle between them.
 GltfWriter pillars() {
     BlockMesh mesh;
-    for (int row = 0; row < 26; ++row) {
-        for (int column = -5; column <= 5; ++column) {
-            float const x = 120 + 62 * float(row) + some(-25, 25, 21, row, column);
-            float const z = 65 * float(column) + some(-22, 22, 22, row, column);
-            float const radius = some(3, 9, 23, row, column), half = radius / 2;
+    for (int row = 0; row < 28; ++row) {
+        for (int column = -6; column <= 6; ++column) {
+            float const x = 120 + 55 * float(row) + some(-25, 25, 21, row, column);
+            float const z = 50 * float(column) + some(-22, 22, 22, row, column);
+            float const radius = some(3, 8, 23, row, column), half = radius / 2;
             if (std::abs(z) < 12 + 0.02f * x) continue;
             float const top = some(90, 220, 24, row, column);
             std::array<glm::vec2, 6> const corners{{{x - radius, z},
@@ -96,7 +96,7 @@ GltfWriter masts() {
 
 /// A wall across the view with high windows.
 GltfWriter gates() {
-    constexpr float EAST = 240, THICK = 6, SILL = 30, LINTEL = 110, TOP = 150, STEP = 38, OPEN = 13, HALF = 1216;
+    constexpr float EAST = 240, THICK = 6, SILL = 30, LINTEL = 110, TOP = 150, STEP = 24, OPEN = 8, HALF = 1200;
     BlockMesh mesh;
     mesh.add_slab({EAST, BELOW, -HALF}, {EAST + THICK, SILL, HALF});
     mesh.add_slab({EAST, LINTEL, -HALF}, {EAST + THICK, TOP, HALF});
@@ -105,18 +105,18 @@ GltfWriter gates() {
     return mesh.gltf("gates", STONE);
 }
 
-/// A slab over the ground, 1.6 km wide, with holes of many sizes: rows of slabs with gaps between strips without any.
+/// A slab over the ground, 960 m wide, with holes of many sizes: rows of slabs with gaps between strips without any.
 GltfWriter roof() {
-    constexpr float BOTTOM = 180, TOP = 184, HALF = 800, ROW = 80;
+    constexpr float BOTTOM = 130, TOP = 133, HALF = 480, ROW = 40;
     BlockMesh mesh;
     int hole = 0;
     for (float x = -HALF; x < HALF; x += ROW) {
-        float const depth = some(7, 20, 41, ++hole);
+        float const depth = some(8, 16, 41, ++hole);
         mesh.add_slab({x, BOTTOM, -HALF}, {x + ROW - depth, TOP, HALF});
         for (float z = -HALF; z < HALF;) {
-            float const end = std::min(z + some(20, 120, 42, ++hole), HALF);
+            float const end = std::min(z + some(12, 60, 42, ++hole), HALF);
             mesh.add_slab({x + ROW - depth, BOTTOM, z}, {x + ROW, TOP, end});
-            z = end + some(7, 24, 43, hole);
+            z = end + some(8, 24, 43, hole);
         }
     }
     return mesh.gltf("roof", STONE);
