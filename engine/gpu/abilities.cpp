@@ -21,6 +21,7 @@ constexpr VkFormatFeatureFlags BLIT = VK_FORMAT_FEATURE_BLIT_SRC_BIT | VK_FORMAT
 constexpr std::array FORMAT_NEEDS = {
     FormatNeed{VK_FORMAT_R32G32B32A32_SFLOAT, FILTERED | VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT,
                "32-bit float tables with linear filtering"},
+    FormatNeed{VK_FORMAT_R32G32_SFLOAT, SAMPLED | VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT, "pairs of 32-bit floats"},
     FormatNeed{VK_FORMAT_R16G16B16A16_SNORM, COLOR, "16-bit signed normals as an attachment"},
     FormatNeed{VK_FORMAT_B10G11R11_UFLOAT_PACK32, COLOR, "packed-float emission as an attachment"},
     FormatNeed{VK_FORMAT_R8G8B8A8_SRGB, COLOR | FILTERED | BLIT, "sRGB colour"},

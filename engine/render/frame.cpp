@@ -1,6 +1,7 @@
 #include "render/frame.h"
 
 #include "render/passes/accumulate.h"
+#include "render/passes/air.h"
 #include "render/passes/air_tables.h"
 #include "render/passes/ambient_occlusion.h"
 #include "render/passes/display.h"
@@ -8,6 +9,7 @@
 #include "render/passes/gbuffer.h"
 #include "render/passes/lighting.h"
 #include "render/passes/post_aa.h"
+#include "render/passes/shadow_bounds.h"
 #include "render/passes/show.h"
 #include "render/passes/sun_shadow.h"
 
@@ -21,14 +23,16 @@ void build_frame(FrameGraph& graph, FrameInputs const& in) {
     glm::ivec2 const composition = in.constants.front().atmosphere.content.composition;
     graph.specialize({composition.x, composition.y});
 
-    AirTables const air = add_air_tables(graph, in, frame);
+    AirTables const tables = add_air_tables(graph, in, frame);
     SunShadow const shadow = add_sun_shadow(graph, in, frame);
+    ImageId const shadow_bounds = add_shadow_bounds(graph, shadow.cascades);
     ImageId toned;
     for (int sample = 0; sample < in.settings.aa; ++sample) {
         if (sample > 0) frame = graph.add_constants(in.constants[static_cast<std::size_t>(sample)]);
         GBuffer const gbuffer = add_gbuffer(graph, in, frame, sample);
         ImageId const open = add_ambient_occlusion(graph, in, frame, gbuffer, sample);
-        ImageId const lit = add_lighting(graph, in, frame, {gbuffer, open}, shadow, air, sample);
+        AirLayer const air = add_air(graph, in, frame, {gbuffer.depth, shadow, shadow_bounds}, tables, sample);
+        ImageId const lit = add_lighting(graph, in, frame, {gbuffer, open, air}, shadow, tables, sample);
         if (sample == 0) add_exposure(graph, lit, exposure, in.settings, in.seconds);
         toned = add_accumulate(graph, lit, mean, exposure, in.settings, sample);
     }

@@ -16,9 +16,14 @@ struct AirModel;
 struct StepSlice;
 struct TwofoldTable;
 
-/// What the frame's model of the air gives the lighting pass to read.
+/// What the frame's model of the air gives its passes to read.
 struct AirTables {
     std::vector<Slot> slots;
+};
+
+/// Of each pixel, both relative: interop/air.h.
+struct AirLayer {
+    ImageId inscattered, transmittance;
 };
 
 struct SunShadow {

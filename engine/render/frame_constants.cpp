@@ -10,6 +10,9 @@ namespace alpenglow {
 
 namespace {
 
+constexpr int EXACT_CLEAR_SHARE_PERCENT = 8; ///< cells where nothing shades the air, for each exact one: 64 for 800
+constexpr int FAST_LOOKS = 4, DEFAULT_LOOKS = 8; ///< into the cascades for each of the march's cells: docs/shafts.md
+
 glm::mat4 view_clip(Camera const& camera, Extent extent, glm::dvec2 const& jitter) {
     double const scale = 1.0 / std::tan(0.5 * camera.vertical_fov);
     double const aspect = static_cast<double>(extent.width) / extent.height;
@@ -54,7 +57,7 @@ int flags_of(World const& world, Settings const& settings, bool cascades) {
     auto const set = [&](bool on, int flag) { flags |= on ? flag : 0; };
     set(world.planet.has_air, FRAME_HAS_AIR);
     set(world.planet.has_air && settings.air, FRAME_AIR);
-    set(settings.shafts && cascades, FRAME_SHAFTS);
+    set(settings.shafts != "off" && cascades, FRAME_SHAFTS);
     set(settings.shadows && cascades, FRAME_SHADOWS);
     set(settings.march_dither, FRAME_MARCH_DITHER);
     set(settings.sun_disc, FRAME_SUN_DISC);
@@ -63,6 +66,14 @@ int flags_of(World const& world, Settings const& settings, bool cascades) {
     set(settings.ambient_occlusion, FRAME_AMBIENT_OCCLUSION);
     set(world.planet.look == GroundLook::procedural, FRAME_PROCEDURAL_GROUND);
     return flags;
+}
+
+void set_samples(shader::FrameConstants& frame, Settings const& settings) {
+    bool const exact = settings.shafts == "exact" && (frame.flags & FRAME_SHAFTS) != 0;
+    frame.samples = exact ? std::max(settings.exact_steps * EXACT_CLEAR_SHARE_PERCENT / 100, 16) : settings.samples;
+    frame.exact_cells = exact ? settings.exact_steps : 0;
+    if (getenv("LOOKS")) { frame.shaft_looks = exact ? 1 : atoi(getenv("LOOKS")); return; }
+    frame.shaft_looks = exact ? 1 : settings.shafts == "fast" ? FAST_LOOKS : DEFAULT_LOOKS;
 }
 
 /// Above this nothing can be shaded by a mesh as high as `ceiling`: higher than the meshes where the sun stands below
@@ -116,7 +127,7 @@ shader::FrameConstants make_frame_constants(World const& world, Settings const& 
     if (world.studio) frame.fill = glm::vec3(world.studio->fill), frame.backdrop = glm::vec3(world.studio->backdrop);
     frame.pixel_angle = static_cast<float>(2.0 * ty / size.y);
     frame.flags = flags_of(world, settings, !shadow.cascades.empty());
-    frame.samples = settings.samples;
+    set_samples(frame, settings);
     frame.sample_index = sample_index;
     return frame;
 }

@@ -78,7 +78,8 @@ StudioShot make_studio_shot(Box const& bounds, double aspect) {
 
 Settings studio_settings() {
     Settings settings;
-    settings.air = settings.shafts = settings.sun_disc = false;
+    settings.air = settings.sun_disc = false;
+    settings.shafts = "off";
     settings.exposure = std::log2(std::numbers::pi); // a Lambert surface sends back its albedo over pi
     settings.curve = "linear";
     settings.dither = false; // there is nothing smooth and dark to band, and flat ground packs well

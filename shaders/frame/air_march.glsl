@@ -4,7 +4,8 @@
 #ifndef ALPENGLOW_FRAME_AIR_MARCH
 #define ALPENGLOW_FRAME_AIR_MARCH
 #include "atmosphere/inscattering.glsl"
-#include "frame/sun_shadow.glsl"
+#include "encoding/color.glsl"
+#include "frame/shafts.glsl"
 
 layout(constant_id = 0) const int MARCH_VARIANT = 0;
 
@@ -39,14 +40,22 @@ Span shaded_span(AirRay ray, vec3 light, float entry, float end) {
     return crossed(span, Span(0.0, end));
 }
 
-// Adds the light of one cell. `middle` is its share of the run, `seen` the share of the sun's disc that no mesh hides; `edge` the
+// The share of a cell's light that is left where the sun is seen in parts of it: more, where it is seen in that with more air, or
+// with less before it.
+float seen_light(Seen seen, Medium begin, Medium mean, Medium end, float cell_length) {
+    float rise = (total_scattering(end).y - total_scattering(begin).y) / max(total_scattering(mean).y, TINY);
+    return clamp(seen.mean + clamp(rise - mean.extinction.y * cell_length, -2.0, 2.0) * seen.slope, 0.0, 1.0);
+}
+
+// Adds the light of one cell. `middle` is its share of the run, `shares` those of the sun's disc that no mesh hides; `edge` the
 // medium where the cell begins, and then where it ends.
 void add_air_cell(inout AirLight light, Atmosphere atmosphere, RayPhases phases, AirRay ray, MarchCell cell, DiffuseRun run,
-                  float middle, float per_cell, float seen, inout Medium edge) {
+                  float middle, float per_cell, Seen shares, inout Medium edge) {
     Medium next = medium_at(atmosphere, altitude_at(ray, cell.end));
     CellMedium air = cell_medium(edge, medium_at(atmosphere, altitude_at(ray, cell.middle)), next);
-    edge = next;
     float cell_length = cell.end - cell.begin, t = cell.middle + air.centre * cell_length;
+    float seen = seen_light(shares, edge, air.mean, next, cell_length);
+    edge = next;
     vec3 sun = seen * sample_sun_transmittance_along(transmittance_table, atmosphere, altitude_at(ray, t), ray.sun_along + t * ray.nu);
     DiffuseLight diffuse = shaded_light(atmosphere, diffuse_light_in(atmosphere, run, middle + air.centre * per_cell), seen);
     vec3 extinction = diffuse_extinction(atmosphere, air.mean);
@@ -68,7 +77,7 @@ DiffuseRun diffuse_run(Atmosphere atmosphere, AirRay ray, float near, float midd
 // no length. Software devices run the body of a loop that tests at its start once more than it turns, all of what is inside it too;
 // and lavapipe (22.3) gives a ray that left a loop early the values of the last turn.
 
-// `n` even cells, each looking into the cascades at its share `dither`.
+// `n` even cells. Light changes slowly along a ray and shadows fast: each cell has several looks into the cascades.
 AirLight march_shaded(Atmosphere atmosphere, AirRay ray, RayPhases phases, vec3 light, float entry, Span span, int n, float dither) {
     AirLight result = no_air_light();
     float size = (span.end - span.begin) / float(max(n, 1));
@@ -81,7 +90,7 @@ AirLight march_shaded(Atmosphere atmosphere, AirRay ray, RayPhases phases, vec3 
         do {
             float begin = span.begin + float(min(i, next)) * size, cell_size = i < next ? size : 0.0;
             MarchCell cell = MarchCell(begin, begin + 0.5 * cell_size, begin + cell_size);
-            float seen = air_visibility(light * (begin + dither * cell_size + entry));
+            Seen seen = seen_between(light, begin + entry, begin + entry + cell_size, dither);
             add_air_cell(result, atmosphere, phases, ray, cell, run, (float(i - first) + 0.5) * per_cell, per_cell, seen, edge);
             ++i;
         } while (subgroupAny(i < next));
@@ -116,7 +125,7 @@ AirLight march_around(Atmosphere atmosphere, AirRay ray, RayPhases phases, Clear
             MarchCell cell = march_cell_from(stretch.cells, from, i, n);
             if (i >= next) cell = MarchCell(from, from, from);
             from = cell.end;
-            add_air_cell(result, atmosphere, phases, ray, cell, run, (float(i - first) + 0.5) * per_cell, per_cell, 1.0, edge);
+            add_air_cell(result, atmosphere, phases, ray, cell, run, (float(i - first) + 0.5) * per_cell, per_cell, Seen(1.0, 0.0), edge);
             ++i;
         } while (subgroupAny(i < next));
         i = next;
@@ -175,6 +184,10 @@ AirLight march_air(ivec2 pixel, AirRay from_camera, vec3 light, float distance) 
         if (whole) shaded = Span(0.0, end);
         inside = whole ? frame.samples : shaded_samples(atmosphere, ray, shaded);
         rest = frame.samples - inside;
+        if (frame.exact_cells > 0) {
+            inside = frame.exact_cells;
+            rest = whole ? 0 : frame.samples;
+        }
     }
     if (inside == 0) shaded = Span(end, end);
     float dither = 0.5;

@@ -65,9 +65,11 @@ struct FrameConstants {
     float pixel_angle;             // [rad] across one pixel at the picture's centre
     int flags;
     int samples;                   // of the march
+    int shaft_looks;               // into the cascades for each of its cells that a mesh can shade
+    int exact_cells;               // even cells where a mesh can shade the air, beside `samples`; 0: some of the samples
     int sample_index;              // which supersample this is
 };
-CHECK_SIZE(FrameConstants, 1476);
+CHECK_SIZE(FrameConstants, 1484);
 
 SHADER_NAMESPACE_END
 #endif

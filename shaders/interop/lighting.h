@@ -1,6 +1,7 @@
 // Pass `lighting`: radiance of each pixel. The surface under sun and sky, then the air in front of it.
 #ifndef ALPENGLOW_INTEROP_LIGHTING_H
 #define ALPENGLOW_INTEROP_LIGHTING_H
+#include "interop/air_model.h"
 #include "interop/frame.h"
 
 #define LIGHTING_ALBEDO_SLOT 1              // in, the G-buffer: interop/gbuffer.h
@@ -11,7 +12,8 @@
 #define LIGHTING_SHADOW_SLOT 6              // in, cascades: depth array with comparison
 #define LIGHTING_LIT_SLOT 7                 // out, rgba32f: radiance, relative to the sun's irradiance
 #define LIGHTING_OPEN_SLOT 8                // in: share of the light from all round that reaches the surface
-#define LIGHTING_MODEL_SLOT 9               // in, this and the next: what the model of the air reads, interop/models/NAME.h
+#define LIGHTING_INSCATTERED_SLOT 9         // in, what the air in front of the pixel adds and lets through: interop/air.h
+#define LIGHTING_TRANSMITTANCE_SLOT 10
 
 // What the shader shows in place of the radiance.
 #define LIGHTING_RESULT 0

@@ -6,9 +6,11 @@
 layout(set = 0, binding = MARCH_TRANSMITTANCE_SLOT) uniform sampler2D transmittance_table;
 layout(set = 0, binding = MARCH_MULTIPLE_SCATTERING_SLOT) uniform sampler2D multiple_scattering_table;
 
+#ifdef LIGHT_OF_RAYS
 #include "frame/air_march.glsl"
 
 AirLight air_light(ViewRay ray) { return march_air(ray.pixel, ray.air, ray.light, ray.distance); }
+#endif
 
 SurfaceLight surface_light(AirPoint place, SurfaceDirections at) {
     vec3 sun = sample_sun_transmittance(transmittance_table, frame.atmosphere, place.altitude, place.mu_s);

@@ -25,6 +25,7 @@ vec3 march_to_sun(Atmosphere atmosphere, AirRay ray, float t, int n) {
     return exp(-depth) * above;
 }
 
+#ifdef LIGHT_OF_RAYS
 AirLight air_light(ViewRay view) {
     Atmosphere atmosphere = frame.atmosphere;
     float entry;
@@ -47,6 +48,7 @@ AirLight air_light(ViewRay view) {
     }
     return light;
 }
+#endif
 
 SurfaceLight surface_light(AirPoint place, SurfaceDirections at) {
     AirRay here = make_air_ray(frame.atmosphere.ground_radius, place.altitude, 1.0, place.mu_s, place.mu_s);

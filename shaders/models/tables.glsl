@@ -11,6 +11,7 @@ layout(set = 0, binding = TABLES_SKY_LIGHT_SLOT) uniform sampler2D sky_light_tab
 layout(set = 0, binding = TABLES_SKY_VIEW_SLOT) uniform sampler2D sky_view_table;
 layout(set = 0, binding = TABLES_AERIAL_SLOT) uniform sampler2D aerial_table;
 
+#ifdef LIGHT_OF_RAYS
 const float SAME_PLACE = 2e-3; // share of a distance within which a surface is the planet's own
 
 // The sky, or the planet's own surface, in whose direction the table of the sky ends there too.
@@ -47,6 +48,7 @@ AirLight air_light(ViewRay ray) {
     float reach = aerial_reach(frame.atmosphere.ground_radius, frame.camera_altitude);
     return sample_aerial_perspective(aerial_table, reach, 0.5 + 0.5 * ndc, ray.distance);
 }
+#endif
 
 SurfaceLight surface_light(AirPoint place, SurfaceDirections at) {
     vec3 sky = sample_sky_light(sky_light_table, frame.atmosphere, place.altitude, place.mu_s);

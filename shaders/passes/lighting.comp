@@ -6,7 +6,6 @@
 #include "atmosphere/transmittance.glsl"
 #include "encoding/color.glsl"
 #include "encoding/octahedral.glsl"
-#include "frame/air_model.glsl"
 #include "interop/gbuffer.h"
 #include "interop/lighting.h"
 #include "surface/brdf.glsl"
@@ -19,33 +18,17 @@ layout(set = 0, binding = LIGHTING_EMISSION_SLOT) uniform sampler2D emission_ima
 layout(set = 0, binding = LIGHTING_DEPTH_SLOT) uniform sampler2D depth_image;
 layout(set = 0, binding = LIGHTING_SHADOW_SLOT) uniform sampler2DArrayShadow shadow_cascades;
 layout(set = 0, binding = LIGHTING_OPEN_SLOT) uniform sampler2D open_image;
+layout(set = 0, binding = LIGHTING_INSCATTERED_SLOT) uniform sampler2D inscattered_image;
+layout(set = 0, binding = LIGHTING_TRANSMITTANCE_SLOT) uniform sampler2D transmittance_image;
 layout(set = 0, binding = LIGHTING_LIT_SLOT, rgba32f) uniform writeonly image2D lit_image;
 layout(push_constant, scalar) uniform Push { LightingPush push; };
 
 #include "frame/celestial.glsl"
+#include "frame/pixel_ray.glsl"
 #include "frame/sun_shadow.glsl"
 #include "models/@AIR_MODEL@.glsl" // CMakeLists.txt: once with each file of that folder
 
 bool has_flag(int flag) { return (frame.flags & flag) != 0; }
-
-// The pixel's ray and what the G-buffer holds at its end.
-struct PixelRay {
-    vec3 direction; // unit, world axes
-    float mu;       // cosine with the zenith at the camera
-    float distance; // to the surface [m]; negative: sky
-};
-
-PixelRay pixel_ray(ivec2 pixel) {
-    vec2 ndc = (vec2(pixel) + 0.5) * frame.inverse_size * 2.0 - 1.0 - frame.jitter;
-    vec3 along = frame.ray_centre + ndc.x * frame.ray_right + ndc.y * frame.ray_up;
-    float stretch = length(along);
-    float depth = texelFetch(depth_image, pixel, 0).r;
-    PixelRay ray;
-    ray.direction = along / stretch;
-    ray.mu = dot(ray.direction, frame.camera_up);
-    ray.distance = depth > 0.0 ? stretch * frame.near_plane / depth : -1.0;
-    return ray;
-}
 
 float cosine(vec3 a, vec3 b) { return clamp(dot(a, b), -1.0, 1.0); }
 
@@ -56,7 +39,9 @@ const float SHADED_SKY = 0.85; // share of the light from all round where the su
 vec3 open_share(Surface surface, float open) { return vec3(open) / (vec3(1.0) - surface.diffuse * (1.0 - open)); }
 
 // Light that leaves a surface towards the camera, for a unit of the sun's irradiance above the air, and the shadow on it.
-vec3 surface_radiance(ivec2 pixel, PixelRay ray, AirPoint place, vec3 light) {
+vec3 surface_radiance(ViewRay ray, AirPoint place) {
+    ivec2 pixel = ray.pixel;
+    vec3 light = ray.light * ray.distance;
     vec4 albedo = texelFetch(albedo_image, pixel, 0);
     vec4 normals = texelFetch(normal_image, pixel, 0);
     vec4 material = texelFetch(material_image, pixel, 0); // roughness, metalness, gloss, reflectance
@@ -102,23 +87,20 @@ vec3 cascade_color(vec2 light) {
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, imageSize(lit_image)))) return;
-    PixelRay ray = pixel_ray(pixel);
+    ViewRay ray = view_ray(pixel);
     bool ground = ray.distance >= 0.0;
-    AirRay from_camera = make_air_ray(frame.atmosphere.ground_radius, frame.camera_altitude, ray.mu,
-                                      dot(frame.camera_up, frame.to_sun), dot(ray.direction, frame.to_sun));
-    vec3 light_direction = frame.light_from_world * ray.direction;
-
     AirLight air = no_air_light();
-    if (has_flag(FRAME_AIR)) air = air_light(ViewRay(pixel, ray.direction, light_direction, from_camera, ray.distance));
+    if (has_flag(FRAME_AIR))
+        air = AirLight(texelFetch(inscattered_image, pixel, 0).rgb, texelFetch(transmittance_image, pixel, 0).rgb);
     vec3 in_front = air.inscattered * frame.atmosphere.solar_irradiance;
-    AirPoint place = place_at(frame.atmosphere, from_camera, ray.distance);
-    vec3 behind = ground ? surface_radiance(pixel, ray, place, light_direction * ray.distance)
+    AirPoint place = place_at(frame.atmosphere, ray.air, ray.distance);
+    vec3 behind = ground ? surface_radiance(ray, place)
                          : celestial_radiance(pixel, in_front, push.celestial_turn);
     if (has_flag(FRAME_STUDIO) && !ground) behind = frame.backdrop;
     vec3 radiance = behind * air.transmittance + in_front;
     if (push.show == LIGHTING_SHOW_CASCADES && ground) {
         float grey = dot(radiance, vec3(0.3, 0.6, 0.1));
-        radiance = grey * 2.0 * cascade_color(light_direction.xy * ray.distance);
+        radiance = grey * 2.0 * cascade_color(ray.light.xy * ray.distance);
     }
     imageStore(lit_image, pixel, vec4(radiance, 1.0));
 }

@@ -78,7 +78,7 @@ View wrong_view(View view, Wrong wrong) {
         view.sun.elevation -= glm::radians(10.0);
         break;
     case Wrong::no_shadows: view.settings.shadows = false; break;
-    case Wrong::no_shafts: view.settings.shafts = false; break;
+    case Wrong::no_shafts: view.settings.shafts = "off"; break;
     case Wrong::no_multiple_scattering: view.settings.multiple_scattering = false; break;
     case Wrong::shifted: break;
     }

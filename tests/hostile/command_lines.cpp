@@ -23,7 +23,7 @@ std::vector<Refusal> rows() {
         wrong_use("unknown_setting", {"render", "view.json", "--set", "sampels=8"}, {"sampels", "samples"}),
         wrong_use("setting_without_value", {"render", "view.json", "--set", "samples"}, {"--set", "samples"}),
         wrong_use("setting_out_of_range", {"render", "view.json", "--set", "samples=2"}, {"samples", "4 to 1024"}),
-        wrong_use("setting_of_wrong_type", {"render", "view.json", "--set", "shafts=7"}, {"shafts", "on or off"}),
+        wrong_use("setting_of_wrong_type", {"render", "view.json", "--set", "shadows=7"}, {"shadows", "on or off"}),
         wrong_use("setting_nan", {"render", "view.json", "--set", "exposure=nan"}, {"exposure", "nan"}),
         wrong_use("setting_infinite", {"render", "view.json", "--set", "exposure=1e999"}, {"exposure", "1e999"}),
         wrong_use("unknown_format", {"render", "view.json", "--format", "jpeg"}, {"--format", "jpeg", "png"}),

@@ -51,7 +51,7 @@ std::vector<Refusal> rows() {
         bad_view("view_without_camera", "{}", {"camera"}),
         bad_view("view_camera_of_wrong_type", view("7"), {"/camera"}),
         bad_view("view_text_for_number", view(R"({"latitude": "46", "longitude": 7.5, "altitude": 900})"), {"/camera/latitude", "not a number"}),
-        bad_view("view_number_for_switch", view_with("shafts", "1"), {"/shafts", "true or false"}),
+        bad_view("view_number_for_switch", view_with("shadows", "1"), {"/shadows", "true or false"}),
         bad_view("view_fraction_for_whole_number", view_with("samples", "8.5"), {"/samples", "whole number"}),
         bad_view("view_sample_count_out_of_range", view_with("samples", "4096"), {"/samples", "4 to 1024"}),
         bad_view("view_unknown_curve", view_with("curve", "\"film\""), {"/curve", "filmic"}),

@@ -69,7 +69,8 @@ TEST_F(Celestial, the_air_colours_the_disc_as_it_colours_sunlight) {
         EXPECT_GT(direct.y, direct.z);
         // What a surface across the rays has of the sun, by another road: white, in shadow of nothing.
         Stand const stand = stand_on(load_planet("earth"), 100);
-        settings.shadows = settings.shafts = settings.multiple_scattering = false;
+        settings.shadows = settings.multiple_scattering = false;
+        settings.shafts = "off";
         Scene scene = scene_of({matte(glm::vec3(1))});
         glm::dvec3 const to_sun = sun_at(elevation, 0), u = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), to_sun));
         add_quad(scene, {0, 5, 0}, u, glm::cross(to_sun, u));

@@ -43,7 +43,8 @@ TEST_F(DeepPictures, a_normal_map_of_16_bits_has_no_steps_of_8) {
     Stand const stand = stand_on(airless_planet(), 1000);
     put(leaning_wall(), stand);
     Settings settings = plain_settings();
-    settings.shadows = settings.shafts = false;
+    settings.shadows = false;
+        settings.shafts = "off";
     constexpr double fov = 1;
     renderer().draw(stand.view(stand.camera({0, 0, 0}, {0, 1, 0}, fov, {0, 0, 1}), {0, 1, 0}), settings, SMALL);
     auto const texels = values_of<std::int16_t>(renderer().image_bytes("normal"));

@@ -24,7 +24,8 @@ protected:
     }
     void draw() {
         Settings settings = plain_settings();
-        settings.shadows = settings.shafts = false;
+        settings.shadows = false;
+        settings.shafts = "off";
         renderer().draw(stand_.view(stand_.camera({0, 0, 0}, {0, 1, 0}, 1, {0, 0, 1}), {0, 1, 0}), settings, SMALL);
     }
     /// The channels of the middle pixel.

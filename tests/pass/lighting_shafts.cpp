@@ -81,7 +81,7 @@ TEST_F(ShaftsPass, a_ridge_takes_away_what_the_integral_says) {
     World const world = stand_.view(stand_.camera({0, 2, 0}, {0.05, 2 + std::tan(glm::radians(38.0)), -1}, glm::radians(8.0)), sun_at(20, 0));
     Settings settings = many_samples();
     FloatImage const on = radiance(world, settings, EXTENT);
-    settings.shafts = false;
+    settings.shafts = "off";
     FloatImage const off = radiance(world, settings, EXTENT);
 
     reference::Occluders const ridge(scene, stand_);
@@ -112,7 +112,7 @@ TEST_F(ShaftsPass, make_no_difference_where_nothing_occludes) {
                     Settings settings = plain_settings();
                     settings.shadows = false;
                     FloatImage const on = radiance(world, settings, EXTENT);
-                    settings.shafts = false;
+                    settings.shafts = "off";
                     FloatImage const off = radiance(world, settings, EXTENT);
                     double worst = 0;
                     for (std::uint32_t i = 0; i < EXTENT.pixels(); ++i) {
@@ -138,7 +138,7 @@ TEST_F(ShaftsPass, of_a_small_scene_leave_no_edge_in_the_sky) {
         Settings settings = plain_settings();
         settings.shadows = false;
         FloatImage const on = radiance(world, settings, EXTENT);
-        settings.shafts = false;
+        settings.shafts = "off";
         FloatImage const off = radiance(world, settings, EXTENT);
         double worst = 0;
         for (std::uint32_t i = 0; i < EXTENT.pixels(); ++i) {

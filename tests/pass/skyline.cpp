@@ -20,7 +20,8 @@ protected:
         ahead_ = sun_at(elevation, 0);
         settings_ = plain_settings();
         settings_.samples = 128;
-        settings_.shafts = settings_.shadows = false;
+        settings_.shadows = false;
+        settings_.shafts = "off";
     }
     /// A wall across the ray that glows or not and reflects nothing: it turns away from the sun, which stands behind it.
     Scene wall(double distance, bool glows) const {

@@ -17,7 +17,8 @@ protected:
         planet_.look = GroundLook::uniform;
         settings_ = plain_settings();
         settings_.samples = 64;
-        settings_.shafts = settings_.shadows = false;
+        settings_.shadows = false;
+        settings_.shafts = "off";
     }
     static double dip(double altitude) { return -glm::degrees(std::acos(6.36e6 / (6.36e6 + altitude))); }
     /// Looks `elevation` degrees up to the north.

@@ -23,7 +23,8 @@ protected:
     }
     FloatImage seen(int aa, Extent extent) {
         Settings settings = plain_settings();
-        settings.shadows = settings.shafts = false;
+        settings.shadows = false;
+        settings.shafts = "off";
         settings.aa = aa;
         return radiance(stand_.view(stand_.camera({0, 0, 0}, {0, 1, 0}, 0.8, {0, 0, 1}), {0, 1, 0.2}), settings, extent);
     }

@@ -14,7 +14,7 @@ namespace {
 constexpr char GOOD[] = R"({
     "planet": "dense", "scene": "default",
     "camera": {"latitude": 46, "longitude": 7.5, "altitude": 900, "heading": 80, "pitch": -6, "roll": 1, "fov": 55},
-    "sun": {"elevation": 7, "azimuth": 85}, "exposure": 2.5, "samples": 64, "shafts": false, "curve": "exponential"
+    "sun": {"elevation": 7, "azimuth": 85}, "exposure": 2.5, "samples": 64, "shafts": "off", "curve": "exponential"
 })";
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
@@ -79,7 +79,7 @@ TEST(ViewFiles, say_what_they_say) {
     EXPECT_DOUBLE_EQ(view.camera.vertical_fov, radians(55));
     EXPECT_DOUBLE_EQ(view.sun.elevation, radians(7));
     EXPECT_DOUBLE_EQ(view.sun.azimuth, radians(85));
-    EXPECT_EQ(view.settings, (Settings{.samples = 64, .shafts = false, .exposure = 2.5, .curve = "exponential"}));
+    EXPECT_EQ(view.settings, (Settings{.samples = 64, .shafts = "off", .exposure = 2.5, .curve = "exponential"}));
 }
 
 TEST(ViewFiles, paths_start_from_the_files_folder) {
@@ -182,7 +182,8 @@ TEST(ViewFiles, bad_ones_are_refused_with_the_place_and_the_reason) {
         {"/samples", 1e300, {"/samples", "not a whole number"}},
         {"/aa", 2, {"/aa", "1|4|16"}},
         {"/curve", "film", {"/curve", "\"film\" is out of range", "filmic|exponential"}},
-        {"/shafts", "on", {"/shafts", "true or false"}},
+        {"/shadows", "on", {"/shadows", "true or false"}},
+        {"/shafts", "on", {"/shafts", "off|fast|default|exact"}},
     };
     for (Case const& c : cases) expect_error(ErrorKind::bad_input, c.parts, [&] { load_changed(c.pointer, c.value); });
     expect_error(ErrorKind::bad_input, {"bad.json", "is not JSON", "NaN"},

@@ -98,15 +98,21 @@ ImageId orders_over_ground(FrameGraph& graph, AirTableInputs const& inputs) {
     return orders;
 }
 
-std::vector<Slot> lighting_slots(FrameGraph& graph, AirTableInputs const& inputs) {
+std::vector<Slot> model_slots(FrameGraph& graph, AirTableInputs const& inputs) {
     bool const own = inputs.in.ground == planet_ground(inputs.in.world.planet);
     return {sampled(MARCH_TRANSMITTANCE_SLOT, inputs.tables[TRANSMITTANCE]),
             sampled(MARCH_MULTIPLE_SCATTERING_SLOT, own ? inputs.tables[ORDERS] : orders_over_ground(graph, inputs))};
 }
 
-int lighting_variant(FrameInputs const& in) {
+int air_variant(FrameInputs const& in) {
     bool const shafts = (in.constants.front().flags & FRAME_SHAFTS) != 0;
     return (in.settings.multiple_scattering ? 0 : MARCH_ONE_ORDER) | (shafts ? 0 : MARCH_NO_SHAFTS);
+}
+
+int air_stride(Settings const& settings) {
+    if (settings.air_stride != "auto") return settings.air_stride == "1" ? 1 : settings.air_stride == "2" ? 2 : 4;
+    if (settings.shafts == "exact") return 1;
+    return settings.shafts == "fast" ? 4 : 2;
 }
 
 } // namespace
@@ -114,6 +120,8 @@ int lighting_variant(FrameInputs const& in) {
 AirModel make_march() {
     return {.name = "march",
             .help = "each pixel's ray marched; the sun's way and all further orders from tables",
+            .air = shaders::air_march_comp,
+            .air_repair = shaders::air_repair_march_comp,
             .lighting = shaders::lighting_march_comp,
             .tables = {{"transmittance", {TRANSMITTANCE_WIDTH, TRANSMITTANCE_HEIGHT}, ShowScale::optical_depth},
                        {"ground_response_orders", moments_size(RESPONSE_NODES), ShowScale::logarithm},
@@ -123,8 +131,9 @@ AirModel make_march() {
                        {"first_order", moments_size(NODES), ShowScale::logarithm},
                        {"multiple_scattering", moments_size(NODES), ShowScale::logarithm}},
             .steps = make_steps(),
-            .lighting_slots = lighting_slots,
-            .lighting_variant = lighting_variant,
+            .slots = model_slots,
+            .air_variant = air_variant,
+            .air_stride = air_stride,
             .limits = [](World const&, Settings const&, bool) -> std::string_view { return {}; }};
 }
 

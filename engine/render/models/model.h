@@ -47,14 +47,17 @@ struct AirTableInputs {
 struct AirModel {
     std::string_view name; ///< as the setting `model` knows it
     std::string_view help;
-    ShaderCode lighting;               ///< the lighting pass with shaders/models/NAME.glsl in it
+    ShaderCode air, air_repair, lighting; ///< the passes with shaders/models/NAME.glsl in them
     std::vector<AirTable> tables{};    ///< what it keeps from frame to frame
     std::vector<AirTableStep> steps{}; ///< that make them, in order, when the air changes
-    /// Gives what the lighting pass binds behind its own slots, numbered from LIGHTING_MODEL_SLOT on, and declares the
+    /// Gives what these passes bind behind their own slots, numbered from AIR_MODEL_SLOT on, and declares the
     /// passes that fill tables of this frame's view.
-    std::vector<Slot> (*lighting_slots)(FrameGraph& graph, AirTableInputs const& inputs);
-    /// Which variant of the lighting pass draws this frame: its specialization constant 0. Models without any have none.
-    int (*lighting_variant)(FrameInputs const& in) = nullptr;
+    std::vector<Slot> (*slots)(FrameGraph& graph, AirTableInputs const& inputs);
+    /// Which variant of the air's passes draws this frame: their specialization constant 0. Models without any have none.
+    int (*air_variant)(FrameInputs const& in) = nullptr;
+    /// From one pixel to the next whose air is worked out [pixels]: 1, 2 or 4; between them it is interpolated where it
+    /// is smooth. Models without this work out every pixel's.
+    int (*air_stride)(Settings const& settings) = nullptr;
     /// What the model leaves out or can't do in this world, with meshes in it or without, in one sentence; empty where
     /// it applies in full.
     std::string_view (*limits)(World const& world, Settings const& settings, bool meshes);

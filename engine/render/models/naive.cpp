@@ -17,8 +17,10 @@ std::string_view limits(World const& world, Settings const&, bool) {
 AirModel make_naive() {
     return {.name = "naive",
             .help = "single scattering, both integrals marched in each pixel, no tables",
+            .air = shaders::air_naive_comp,
+            .air_repair = shaders::air_repair_naive_comp,
             .lighting = shaders::lighting_naive_comp,
-            .lighting_slots = [](FrameGraph&, AirTableInputs const&) { return std::vector<Slot>{}; },
+            .slots = [](FrameGraph&, AirTableInputs const&) { return std::vector<Slot>{}; },
             .limits = limits};
 }
 

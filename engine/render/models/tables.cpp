@@ -35,7 +35,7 @@ ImageId add_view_table(FrameGraph& graph, AirTableInputs const& inputs, std::str
     return table;
 }
 
-std::vector<Slot> lighting_slots(FrameGraph& graph, AirTableInputs const& inputs) {
+std::vector<Slot> model_slots(FrameGraph& graph, AirTableInputs const& inputs) {
     Extent const sky_view{SKY_VIEW_WIDTH, SKY_VIEW_HEIGHT}, aerial{AERIAL_SLICES * AERIAL_SIZE, 2 * AERIAL_SIZE};
     return {sampled(TABLES_TRANSMITTANCE_SLOT, inputs.tables[TRANSMITTANCE]),
             sampled(TABLES_ISOTROPIC_SLOT, inputs.tables[ISOTROPIC]),
@@ -51,7 +51,7 @@ std::string_view limits(World const& world, Settings const& settings, bool meshe
     double const altitude = glm::length(world.camera.position) - world.planet.radius;
     if (altitude > world.planet.air.top_altitude)
         return "from outside the air its tables of the view don't apply: each pixel is marched, without light shafts";
-    return meshes && settings.shafts ? "nothing but the planet shades the air: there are no light shafts"
+    return meshes && settings.shafts != "off" ? "nothing but the planet shades the air: there are no light shafts"
                                      : std::string_view();
 }
 
@@ -60,6 +60,8 @@ std::string_view limits(World const& world, Settings const& settings, bool meshe
 AirModel make_tables() {
     return {.name = "tables",
             .help = "sky and aerial perspective from tables of the view, further orders isotropic",
+            .air = shaders::air_tables_comp,
+            .air_repair = shaders::air_repair_tables_comp,
             .lighting = shaders::lighting_tables_comp,
             .tables = {{"transmittance", {TRANSMITTANCE_WIDTH, TRANSMITTANCE_HEIGHT}, ShowScale::optical_depth},
                        {"isotropic_scattering", {ISOTROPIC_SIZE, ISOTROPIC_SIZE}, ShowScale::logarithm},
@@ -68,7 +70,7 @@ AirModel make_tables() {
                       step_for("isotropic_scattering", shaders::isotropic_scattering_comp, ISOTROPIC,
                                {ISOTROPIC_SIZE, ISOTROPIC_SIZE}),
                       step_for("sky_light", shaders::sky_light_comp, SKY_LIGHT, {SKY_LIGHT_WIDTH, SKY_LIGHT_HEIGHT})},
-            .lighting_slots = lighting_slots,
+            .slots = model_slots,
             .limits = limits};
 }
 

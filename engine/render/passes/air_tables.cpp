@@ -78,7 +78,7 @@ std::vector<ImageId> Maker::finished() const {
 AirTables add_air_tables(FrameGraph& graph, FrameInputs const& in, ConstantsId frame) {
     Maker maker(graph, in, frame);
     for (StepSlice const& slice : in.table_slices) maker.make(slice);
-    return {in.model.lighting_slots(graph, {in, frame, maker.finished()})};
+    return {in.model.slots(graph, {in, frame, maker.finished()})};
 }
 
 } // namespace alpenglow

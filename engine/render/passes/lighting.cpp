@@ -19,7 +19,7 @@ glm::vec2 celestial_turn(glm::dvec3 const& to_sun) {
 } // namespace
 
 ImageId add_lighting(FrameGraph& graph, FrameInputs const& in, ConstantsId frame, LitSurfaces const& surfaces,
-                     SunShadow const& shadow, AirTables const& air, int sample) {
+                     SunShadow const& shadow, AirTables const& tables, int sample) {
     ImageId const lit = sample == 0
                             ? graph.add_image("lit", {VK_FORMAT_R32G32B32A32_SFLOAT, in.extent}, ShowScale::radiance)
                             : graph.find("lit");
@@ -34,10 +34,11 @@ ImageId add_lighting(FrameGraph& graph, FrameInputs const& in, ConstantsId frame
                             sampled(LIGHTING_DEPTH_SLOT, gbuffer.depth, NEAREST_CLAMP),
                             sampled_array(LIGHTING_SHADOW_SLOT, shadow.cascades, SHADOW_COMPARE),
                             sampled(LIGHTING_OPEN_SLOT, surfaces.open, NEAREST_CLAMP),
+                            sampled(LIGHTING_INSCATTERED_SLOT, surfaces.air.inscattered, NEAREST_CLAMP),
+                            sampled(LIGHTING_TRANSMITTANCE_SLOT, surfaces.air.transmittance, NEAREST_CLAMP),
                             stored(LIGHTING_LIT_SLOT, lit)};
-    slots.insert(slots.end(), air.slots.begin(), air.slots.end());
-    int const variant = in.model.lighting_variant ? in.model.lighting_variant(in) : 0;
-    graph.add(ComputePass{"lighting", in.model.lighting, std::move(slots), in.extent, bytes_of(push), variant});
+    slots.insert(slots.end(), tables.slots.begin(), tables.slots.end());
+    graph.add(ComputePass{"lighting", in.model.lighting, std::move(slots), in.extent, bytes_of(push)});
     return lit;
 }
 

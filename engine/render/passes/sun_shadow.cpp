@@ -44,7 +44,7 @@ void draw_casters(DrawContext& context, FrameInputs const& in, std::size_t casca
 } // namespace
 
 SunShadow add_sun_shadow(FrameGraph& graph, FrameInputs const& in, ConstantsId frame) {
-    bool const any = in.scene && !in.shadow.cascades.empty() && (in.settings.shadows || in.settings.shafts);
+    bool const any = in.scene && !in.shadow.cascades.empty() && (in.settings.shadows || in.settings.shafts != "off");
     auto const side = any ? static_cast<std::uint32_t>(in.settings.cascade_size) : 1u;
     auto const layers = any ? static_cast<std::uint32_t>(in.shadow.cascades.size()) : 1u;
     ImageId const cascades = graph.add_image("shadow", {VK_FORMAT_D32_SFLOAT, {side, side}, layers}, ShowScale::shadow);

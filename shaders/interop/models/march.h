@@ -1,10 +1,10 @@
-// Model `march`: what its lighting pass reads.
+// Model `march`: what it reads.
 #ifndef ALPENGLOW_INTEROP_MODELS_MARCH_H
 #define ALPENGLOW_INTEROP_MODELS_MARCH_H
-#include "interop/lighting.h"
+#include "interop/air_model.h"
 
-#define MARCH_TRANSMITTANCE_SLOT (LIGHTING_MODEL_SLOT + 0)       // tables: linear filter, clamped to the edge
-#define MARCH_MULTIPLE_SCATTERING_SLOT (LIGHTING_MODEL_SLOT + 1)
+#define MARCH_TRANSMITTANCE_SLOT (AIR_MODEL_SLOT + 0)       // tables: linear filter, clamped to the edge
+#define MARCH_MULTIPLE_SCATTERING_SLOT (AIR_MODEL_SLOT + 1)
 
 // Variants, added up; 0 has everything. Constants, since software devices run both sides of a branch.
 #define MARCH_ONE_ORDER 1 // only light scattered once

@@ -1,0 +1,82 @@
+// The air's light between pixels whose light is known, and how far off that may be. Included by the pass `air_repair`.
+#ifndef ALPENGLOW_FRAME_AIR_BETWEEN
+#define ALPENGLOW_FRAME_AIR_BETWEEN
+#include "atmosphere/segment_integral.glsl"
+#include "encoding/color.glsl"
+
+const float TOLERANCE = 0.01;   // of the air's light, and of what is behind it
+const float FAINT_SHARE = 0.25; // of the sky's mean radiance: air darker than that is judged as if it were that bright
+
+float pixel_depth(ivec2 pixel);
+
+// What is known at the corners of a cell: 00 10 01 11, x first. Bends are second differences along its edges, as interpolation
+// takes them (`curve`), and as they bound its error (`doubt`).
+struct CellPart {
+    vec3 corner[4];
+    vec3 curve_x[2], curve_y[2];
+    vec3 doubt;
+};
+
+struct CoarseCell {
+    CellPart inscattered, transmittance;
+    vec4 depth; // of the corners, reversed
+};
+
+// The second difference of four values in a row that suits their middle: the flatter of both, so that a step beyond the middle does
+// not bend it. `doubt` grows to what a cubic through values that are not smooth may be off by: half of a step between the middle two.
+vec3 bend(vec3 before, vec3 a, vec3 b, vec3 behind, inout vec3 doubt) {
+    vec3 first = before - 2.0 * a + b, second = a - 2.0 * b + behind;
+    vec3 flatter = min(abs(first), abs(second));
+    bvec3 opposite = lessThan(first * second, vec3(0.0));
+    doubt = max(doubt, flatter * mix(vec3(0.25), vec3(0.5), opposite));
+    return mix(flatter * sign(first), vec3(0.0), opposite);
+}
+
+CellPart read_part(sampler2D image, ivec2 at) {
+    ivec2 last = textureSize(image, 0) - 1;
+    vec3 t[12]; // the 4x4 texels around the cell without their corners, row by row
+    for (int i = 0; i < 12; ++i) {
+        int place = i < 2 ? i + 1 : (i < 10 ? i + 2 : i + 3);
+        t[i] = texelFetch(image, clamp(at + ivec2(place & 3, place >> 2) - 1, ivec2(0), last), 0).rgb;
+    }
+    CellPart part;
+    part.corner = vec3[](t[3], t[4], t[7], t[8]);
+    part.doubt = vec3(0.0);
+    part.curve_x = vec3[](bend(t[2], t[3], t[4], t[5], part.doubt), bend(t[6], t[7], t[8], t[9], part.doubt));
+    part.curve_y = vec3[](bend(t[0], t[3], t[7], t[10], part.doubt), bend(t[1], t[4], t[8], t[11], part.doubt));
+    return part;
+}
+
+CoarseCell read_coarse_cell(ivec2 at, int stride) {
+    CoarseCell cell;
+    cell.inscattered = read_part(coarse_inscattered, at);
+    cell.transmittance = read_part(coarse_transmittance, at);
+    for (int i = 0; i < 4; ++i) cell.depth[i] = pixel_depth((at + ivec2(i & 1, i >> 1)) * stride);
+    return cell;
+}
+
+vec3 between(CellPart part, vec2 share) {
+    vec3 linear = mix(mix(part.corner[0], part.corner[1], share.x), mix(part.corner[2], part.corner[3], share.x), share.y);
+    vec2 bow = 0.5 * share * (1.0 - share);
+    return linear - bow.x * mix(part.curve_x[0], part.curve_x[1], share.y) - bow.y * mix(part.curve_y[0], part.curve_y[1], share.x);
+}
+
+float largest(vec3 v) { return max(v.x, max(v.y, v.z)); }
+
+// The light at a share of the cell whose surface has that depth. `error` over 1: not good enough.
+AirLight air_between(CoarseCell cell, vec2 share, float depth, float faint, out float error) {
+    AirLight air = AirLight(between(cell.inscattered, share), between(cell.transmittance, share));
+    float bright = max(luminance(air.inscattered), faint);
+    float doubt = max(largest(cell.inscattered.doubt) / bright, largest(cell.transmittance.doubt));
+
+    // What a surface that is nearer or farther than its neighbours' changes, as in even air. Depths are linear on planes.
+    float expected = mix(mix(cell.depth[0], cell.depth[1], share.x), mix(cell.depth[2], cell.depth[3], share.x), share.y);
+    bool sky = depth == 0.0 && expected == 0.0;
+    float off = sky ? 0.0 : min(abs(depth - expected) / max(min(depth, expected), TINY), 1.0);
+    float through = clamp(luminance(air.transmittance), 1e-4, 0.9999), thickness = -log(through);
+    doubt = max(doubt, off * thickness * through * max(luminance(air.inscattered) / (bright * (1.0 - through)), 1.0));
+    error = doubt / TOLERANCE;
+    return air;
+}
+
+#endif

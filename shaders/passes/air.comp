@@ -1,0 +1,26 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_KHR_shader_subgroup_vote : require
+#include "interop/air.h"
+#include "interop/frame_block.glsl"
+
+layout(local_size_x = WORKGROUP_SIZE, local_size_y = WORKGROUP_SIZE) in;
+layout(set = 0, binding = AIR_DEPTH_SLOT) uniform sampler2D depth_image;
+layout(set = 0, binding = AIR_SHADOW_SLOT) uniform sampler2DArrayShadow shadow_cascades;
+layout(set = 0, binding = AIR_SHADOW_BOUNDS_SLOT) uniform sampler2D shadow_bounds;
+layout(set = 0, binding = AIR_INSCATTERED_SLOT, rgba32f) uniform writeonly image2D inscattered_image;
+layout(set = 0, binding = AIR_TRANSMITTANCE_SLOT, rgba32f) uniform writeonly image2D transmittance_image;
+layout(push_constant, scalar) uniform Push { AirPush push; };
+
+#include "frame/pixel_ray.glsl"
+#define LIGHT_OF_RAYS
+#include "models/@AIR_MODEL@.glsl" // CMakeLists.txt: once with each file of that folder
+
+void main() {
+    ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(texel, imageSize(inscattered_image)))) return;
+    AirLight air = air_light(view_ray(texel * push.stride));
+    imageStore(inscattered_image, texel, vec4(air.inscattered, 1.0));
+    imageStore(transmittance_image, texel, vec4(air.transmittance, 1.0));
+}
