@@ -94,4 +94,20 @@ CLI::App& add_command(CLI::App& program, EvaluateOptions& options) {
     return app;
 }
 
+CLI::App& add_command(CLI::App& program, ShaftsOptions& options) {
+    CLI::App& app = *program.add_subcommand("shafts", "Measures each quality of light shafts against exact ones");
+    app.add_option_function<std::vector<std::string>>(
+           "VIEW", [&options](std::vector<std::string> const& given) { options.views.assign(given.begin(), given.end()); },
+           "view files; all of assets/views/shafts unless given")
+        ->type_name("VIEW.json ...");
+    add_size(app, options.size, "640x360");
+    app.add_flag("--json", options.json, "prints JSON");
+    add_path(app, "--heatmaps", "DIR", options.heatmaps, "writes FLIP's heat maps there");
+    add_path(app, "--document", "FILE.md", options.document, "writes the table into its section of that page");
+    add_path(app, "--plot", "FILE.svg", options.plot, "writes error against cost, even steps beside the levels");
+    add_overrides(app, options.overrides);
+    add_device_options(app, options);
+    return app;
+}
+
 } // namespace alpenglow

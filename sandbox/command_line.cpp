@@ -22,9 +22,11 @@ public:
         add(studio_);
         add(reference_);
         add(terrain_);
+        add(scenes_);
         add(bench_);
         add(compare_);
         add(evaluate_);
+        add(shafts_);
         add(inspect_);
         add(devices_);
     }
@@ -71,9 +73,11 @@ private:
     StudioOptions studio_;
     ReferenceOptions reference_;
     TerrainCommandOptions terrain_;
+    ScenesOptions scenes_;
     BenchOptions bench_;
     CompareOptions compare_;
     EvaluateOptions evaluate_;
+    ShaftsOptions shafts_;
     InspectOptions inspect_;
     DevicesOptions devices_;
     Command command_;

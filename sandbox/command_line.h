@@ -15,7 +15,8 @@ struct TextToPrint {
 
 using Command =
     std::variant<TextToPrint, FlyOptions, RenderOptions, StudioOptions, ReferenceOptions, CompareOptions,
-                 EvaluateOptions, TerrainCommandOptions, BenchOptions, InspectOptions, DevicesOptions>;
+                 EvaluateOptions, ShaftsOptions, TerrainCommandOptions, ScenesOptions, BenchOptions, InspectOptions,
+                 DevicesOptions>;
 
 /// `arguments` without the program's name. Throws Error(wrong_use), one line with what is wrong and what to do. Whether
 /// the settings of `--set` exist is for apply_overrides to say.

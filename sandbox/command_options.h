@@ -14,7 +14,9 @@ CLI::App& add_command(CLI::App& program, BenchOptions& options);
 CLI::App& add_command(CLI::App& program, ReferenceOptions& options);
 CLI::App& add_command(CLI::App& program, CompareOptions& options);
 CLI::App& add_command(CLI::App& program, EvaluateOptions& options);
+CLI::App& add_command(CLI::App& program, ShaftsOptions& options);
 CLI::App& add_command(CLI::App& program, TerrainCommandOptions& options);
+CLI::App& add_command(CLI::App& program, ScenesOptions& options);
 CLI::App& add_command(CLI::App& program, InspectOptions& options);
 CLI::App& add_command(CLI::App& program, DevicesOptions& options);
 

@@ -99,9 +99,23 @@ struct EvaluateOptions : DrawOptions {
     std::optional<std::filesystem::path> check;    ///< such a file, whose figures must still hold
 };
 
+struct ShaftsOptions : DrawOptions {
+    std::vector<std::filesystem::path> views; ///< empty: all of assets/views/shafts
+    Extent size{640, 360};
+    bool json = false;
+    std::optional<std::filesystem::path> heatmaps; ///< folder
+    std::optional<std::filesystem::path> document; ///< Markdown file with a section for the table
+    std::optional<std::filesystem::path> plot;     ///< SVG file
+};
+
 struct TerrainCommandOptions {
     TerrainOptions terrain;
     std::filesystem::path out = "out/terrain/terrain.gltf";
+};
+
+/// Writes the scenes of the shafts' tests.
+struct ScenesOptions {
+    std::filesystem::path out = "out/scenes"; ///< folder
 };
 
 struct ReferenceOptions {
@@ -133,7 +147,9 @@ int studio(StudioOptions const& options);
 int bench(BenchOptions const& options);
 int compare(CompareOptions const& options);
 int evaluate(EvaluateOptions const& options);
+int shafts(ShaftsOptions const& options);
 int terrain(TerrainCommandOptions const& options);
+int scenes(ScenesOptions const& options);
 int reference(ReferenceOptions const& options);
 int inspect(InspectOptions const& options);
 int devices(DevicesOptions const& options);

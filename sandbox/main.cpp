@@ -24,8 +24,10 @@ int run(Command const& command) {
                    [](FlyOptions const& o) { return fly(o); }, [](RenderOptions const& o) { return render(o); },
                    [](StudioOptions const& o) { return studio(o); }, [](ReferenceOptions const& o) { return reference(o); },
                    [](TerrainCommandOptions const& o) { return terrain(o); },
+                   [](ScenesOptions const& o) { return scenes(o); },
                    [](BenchOptions const& o) { return bench(o); }, [](CompareOptions const& o) { return compare(o); },
                    [](EvaluateOptions const& o) { return evaluate(o); },
+                   [](ShaftsOptions const& o) { return shafts(o); },
                    [](InspectOptions const& o) { return inspect(o); },
                    [](DevicesOptions const& o) { return devices(o); }},
         command);

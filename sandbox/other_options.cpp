@@ -32,6 +32,12 @@ CLI::App& add_command(CLI::App& program, TerrainCommandOptions& options) {
     return app;
 }
 
+CLI::App& add_command(CLI::App& program, ScenesOptions& options) {
+    CLI::App& app = *program.add_subcommand("scenes", "Writes the glTF scenes in which light shafts are measured");
+    add_path(app, "--out", "DIR", options.out, "folder; out/scenes unless given");
+    return app;
+}
+
 CLI::App& add_command(CLI::App& program, InspectOptions& options) {
     CLI::App& app = *program.add_subcommand("inspect", "Says what a glTF scene holds, and what of it is left out");
     app.add_option_function<std::string>(
