@@ -8,6 +8,7 @@
 #include "render/passes/gbuffer.h"
 #include "render/passes/lighting.h"
 #include "render/passes/post_aa.h"
+#include "render/passes/shadow_ceiling.h"
 #include "render/passes/show.h"
 #include "render/passes/sun_shadow.h"
 
@@ -22,7 +23,7 @@ void build_frame(FrameGraph& graph, FrameInputs const& in) {
     graph.specialize({composition.x, composition.y});
 
     AirTables const air = add_air_tables(graph, in, frame);
-    SunShadow const shadow = add_sun_shadow(graph, in, frame);
+    SunShadow const shadow{add_sun_shadow(graph, in, frame), add_shadow_ceiling(graph, in)};
     ImageId toned;
     for (int sample = 0; sample < in.settings.aa; ++sample) {
         if (sample > 0) frame = graph.add_constants(in.constants[static_cast<std::size_t>(sample)]);

@@ -31,12 +31,12 @@ Span span_below(AirRay ray, float altitude) {
 
 // The stretch of `ray` that meshes can shade. The ray starts `entry` [m] from the camera; `light` is its direction in the sun's frame.
 Span shaded_span(AirRay ray, vec3 light, float entry, float end) {
-    Cascade last = frame.cascades[MOST_CASCADES - 1];
-    vec2 slope = light.xy * last.scale;
-    vec2 start = last.offset + slope * entry;
-    Span span = crossed(unit_span(start.x, slope.x), unit_span(start.y, slope.y));
-    span = crossed(span, span_below(ray, frame.shadow_ceiling));
-    return crossed(span, Span(0.0, end));
+    Span span = crossed(Span(0.0, end), span_below(ray, frame.shaded_altitude));
+    for (int i = 0; i < 3; ++i) {
+        float slope = dot(frame.shaded_slabs[i].xyz, light);
+        span = crossed(span, unit_span(frame.shaded_slabs[i].w + slope * entry, slope));
+    }
+    return span;
 }
 
 // Adds the light of one cell. `middle` is its share of the run, `seen` the share of the sun's disc that no mesh hides; `edge` the

@@ -11,7 +11,8 @@
 #define LIGHTING_SHADOW_SLOT 6              // in, cascades: depth array with comparison
 #define LIGHTING_LIT_SLOT 7                 // out, rgba32f: radiance, relative to the sun's irradiance
 #define LIGHTING_OPEN_SLOT 8                // in: share of the light from all round that reaches the surface
-#define LIGHTING_MODEL_SLOT 9               // in, this and the next: what the model of the air reads, interop/models/NAME.h
+#define LIGHTING_CEILING_SLOT 9             // in, interop/shadow_ceiling.h: linear filter, clamped to the edge
+#define LIGHTING_MODEL_SLOT 10              // in, this and the next: what the model of the air reads, interop/models/NAME.h
 
 // What the shader shows in place of the radiance.
 #define LIGHTING_RESULT 0

@@ -19,6 +19,7 @@ layout(set = 0, binding = LIGHTING_EMISSION_SLOT) uniform sampler2D emission_ima
 layout(set = 0, binding = LIGHTING_DEPTH_SLOT) uniform sampler2D depth_image;
 layout(set = 0, binding = LIGHTING_SHADOW_SLOT) uniform sampler2DArrayShadow shadow_cascades;
 layout(set = 0, binding = LIGHTING_OPEN_SLOT) uniform sampler2D open_image;
+layout(set = 0, binding = LIGHTING_CEILING_SLOT) uniform sampler2D ceiling_map;
 layout(set = 0, binding = LIGHTING_LIT_SLOT, rgba32f) uniform writeonly image2D lit_image;
 layout(push_constant, scalar) uniform Push { LightingPush push; };
 
