@@ -20,22 +20,19 @@ class CeilingStore {
 public:
     explicit CeilingStore(Device const& device) : device_(device) {}
 
-    /// The next frame with this fit reads it; `wait` is called before an image is replaced.
-    CeilingMap of(CeilingFit const& fit, auto const& wait) {
-        if (!fits(fit)) wait(), replace(fit);
-        bool const is_new = fit.size > 0 && made_ != fit;
-        made_ = fit;
-        return {*made_, *map_, is_new};
-    }
+    /// Whether the image has the fit's size; else `replace` it, when no frame uses it any more.
+    bool fits(CeilingFit const& fit) const;
+    void replace(CeilingFit const& fit);
+    /// For a frame with this fit, which must live as long.
+    CeilingMap of(CeilingFit const& fit) const { return {fit, *map_, fit.size > 0 && made_ != fit}; }
+    /// Such a frame was submitted.
+    void finish(CeilingFit const& fit) { made_ = fit; }
     /// From now on it holds nothing: the scene is another, or the making is to be measured.
     void discard() { made_.reset(); }
     /// nullptr before the first frame.
     GpuImage* map() const { return map_.get(); }
 
 private:
-    bool fits(CeilingFit const& fit) const;
-    void replace(CeilingFit const& fit);
-
     Device const& device_;
     std::unique_ptr<GpuImage> map_;
     std::optional<CeilingFit> made_;

@@ -68,7 +68,8 @@ void Renderer::draw(World const& world, Settings const& settings, Extent extent,
         int const size = settings.shadows || settings.shafts ? settings.ceiling_size : 0;
         ceiling_fit = fit_ceiling(shading, scene_->highest_altitude(), world.planet, world.to_sun, size);
     }
-    CeilingMap const ceiling = ceiling_.of(ceiling_fit, [this] { executor_.wait(); });
+    if (!ceiling_.fits(ceiling_fit)) executor_.wait(), ceiling_.replace(ceiling_fit);
+    CeilingMap const ceiling = ceiling_.of(ceiling_fit);
     auto const constants = supersample_constants(world, settings, extent, shadow, ceiling_fit);
     AirModel const& model = air_model(settings.model);
     AirTableStore::Kept& tables = air_tables_.of(model);
@@ -83,6 +84,7 @@ void Renderer::draw(World const& world, Settings const& settings, Extent extent,
     build_frame(graph, inputs);
     if (finish) finish(graph, graph.find("picture"));
     executor_.submit(graph, sync);
+    ceiling_.finish(ceiling_fit);
     finish_work(tables, air, world.planet.name, work);
     tables_finished_ = tables.finished();
 }

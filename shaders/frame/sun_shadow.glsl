@@ -75,12 +75,10 @@ float surface_visibility_in(CascadePlace place, vec3 light, vec3 light_normal) {
     return lit / 9.0;
 }
 
-// A surface in the ceiling: moved out as in a cascade, and looked up nearer to the sun, so that it does not shade itself.
-float surface_ceiling_visibility(vec3 light, vec3 light_normal) {
-    float cosine = clamp(-light_normal.z, 0.0, 1.0);
-    vec3 moved = light_normal * (frame.ceiling.texel * (0.4 + 1.6 * sqrt(1.0 - cosine * cosine)));
-    CeilingPlace place = ceiling_place(frame.ceiling, light + moved);
-    place.uv.y -= frame.ceiling.texel_v;
+// A surface in the ceiling. It doesn't shade itself: its own place in the map is passed over, along the ray to the sun.
+float surface_ceiling_visibility(vec3 light) {
+    CeilingPlace place = ceiling_place(frame.ceiling, light);
+    place.uv.y -= 2.0 * frame.ceiling.texel_v;
     return ceiling_visibility(ceiling_map, frame.ceiling, place);
 }
 
@@ -96,7 +94,7 @@ float surface_visibility(vec3 light, vec3 light_normal) {
     vec3 moved = moved_out(far, light, light_normal);
     float far_lit = texture(shadow_cascades, vec4(moved.xy, far.layer, moved.z));
     float in_cascade = mix(far_lit, surface_visibility_in(near, light, light_normal), share);
-    return handed_over(in_cascade, surface_ceiling_visibility(light, light_normal), near.last_inside);
+    return handed_over(in_cascade, surface_ceiling_visibility(light), near.last_inside);
 }
 
 #endif

@@ -1,0 +1,136 @@
+#include "atmosphere/shadow_ceiling.glsl"
+#include "reference/terrain_mesh.h"
+#include "support/mountains.h"
+#include "support/render_test.h"
+
+#include <test_shaders.h>
+
+#include "gpu/transfer.h"
+#include "render/executor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+using namespace alpenglow;
+using namespace alpenglow::test;
+
+namespace {
+
+constexpr int SIZE = 512;      // texels of up to 66 m; the default terrain has 50 to 66 at 2048
+constexpr int POINTS = 10000;
+constexpr double TALLEST = 15e3; // [m]
+
+struct Sun {
+    double elevation, azimuth; // [degrees]
+};
+
+/// A place in the air, from the scene's origin in world axes.
+struct AirPoint3 {
+    glm::dvec3 world{0};
+    bool dark = false;
+};
+
+struct Agreement {
+    int dark = 0, wrong = 0, unexplained = 0;
+};
+
+/// The map of a scene of ridges, and rays through its triangles.
+class ShadowCeilingMap : public RenderTest {
+protected:
+    void SetUp() override {
+        RenderTest::SetUp();
+        put(scene_, stand_);
+        settings_.ceiling_size = SIZE;
+        settings_.cascade_size = 256;
+    }
+    /// Draws with that sun and takes the map back.
+    void make_map(Sun const& sun) {
+        to_sun_ = glm::normalize(stand_.world_direction(sun_at(sun.elevation, sun.azimuth)));
+        World const world{stand_.planet, stand_.camera({0, 5000, 9000}, {0, 0, 0}, 1), to_sun_};
+        renderer().draw(world, settings_, {16, 9});
+        texels_.clear();
+        for (glm::vec2 const& texel : values_of<glm::vec2>(renderer().image_bytes("shadow_ceiling"))) texels_.emplace_back(texel, 0, 1);
+        GpuScene const& gpu = *renderer().scene();
+        fit_ = fit_ceiling({gpu.bounds(), gpu.world_from_scene()}, gpu.highest_altitude(), stand_.planet, to_sun_, SIZE);
+        light_ = light_from_world(to_sun_, glm::dmat3(stand_.world_from_scene()));
+        constants_ = ceiling_constants(fit_, light_, world.camera.position);
+        camera_ = world.camera.position;
+    }
+    glm::vec3 light_of(glm::dvec3 const& world) const { return glm::vec3(light_ * (world - camera_)); }
+    double visibility(shader::ShadowCeiling const& ceiling, glm::dvec3 const& world) const {
+        return shader::ceiling_visibility({SIZE, SIZE, texels_.data()}, ceiling, shader::ceiling_place(ceiling, light_of(world)));
+    }
+    /// Above the ground, denser near it; one in three stands behind the scene in its shadow's direction, up to 60 km away.
+    std::vector<AirPoint3> air_points() {
+        std::mt19937 random(7);
+        std::uniform_real_distribution<double> unit(0, 1);
+        std::vector<AirPoint3> points;
+        glm::dvec3 const away = -glm::normalize(fit_.axes[2]), up = fit_.axes[1];
+        while (points.size() < POINTS) {
+            glm::dvec3 place = stand_.world({24e3 * (unit(random) - 0.5), 0, 24e3 * (unit(random) - 0.5)});
+            if (unit(random) < 1.0 / 3) place += away * 60e3 * unit(random);
+            auto const ground = mesh_.first_hit(place + 2e4 * up, -up, 1e5, Sides::both);
+            double const foot = ground ? glm::dot(ground->position - fit_.origin, up) + 1 : 0;
+            double const height = foot + (TALLEST - foot) * std::pow(unit(random), 2);
+            place += up * (height - glm::dot(place - fit_.origin, up));
+            points.push_back({place, mesh_.occludes(place, to_sun_)});
+        }
+        return points;
+    }
+    /// Whether a ray from within a texel, or to the sun's rim, falls otherwise.
+    bool near_the_edge(AirPoint3 const& point) const {
+        double const texel = constants_.texel, rim = stand_.planet.sun_angular_radius;
+        glm::dvec3 const across = fit_.axes[0], over = glm::cross(across, to_sun_);
+        for (int i = 0; i < 16; ++i) {
+            double const angle = i * glm::pi<double>() / 8;
+            glm::dvec3 const side = std::cos(angle) * across + std::sin(angle) * over;
+            glm::dvec3 const level = std::cos(angle) * across + std::sin(angle) * fit_.axes[2];
+            for (double const share : {0.33, 0.67, 1.0}) {
+                if (mesh_.occludes(point.world, glm::normalize(to_sun_ + share * rim * side)) != point.dark) return true;
+                if (mesh_.occludes(point.world + share * texel * level, to_sun_) != point.dark) return true;
+            }
+        }
+        return false;
+    }
+    Agreement agreement(shader::ShadowCeiling const& ceiling, std::vector<AirPoint3> const& points) const {
+        Agreement result;
+        for (AirPoint3 const& point : points) {
+            result.dark += point.dark;
+            if ((visibility(ceiling, point.world) < 0.5) == point.dark) continue;
+            ++result.wrong;
+            result.unexplained += !near_the_edge(point);
+        }
+        return result;
+    }
+
+    Stand stand_ = stand_on(airless_planet(), 0);
+    Scene scene_ = mountains(stand_.planet.radius);
+    TerrainMesh mesh_{scene_, stand_.placement, stand_.planet.radius};
+    Settings settings_ = plain_settings();
+    std::vector<glm::vec4> texels_;
+    CeilingFit fit_;
+    shader::ShadowCeiling constants_{};
+    glm::dmat3 light_{1};
+    glm::dvec3 to_sun_{0}, camera_{0};
+};
+
+} // namespace
+
+TEST_F(ShadowCeilingMap, agrees_with_rays_through_the_terrain) {
+    for (Sun const& sun : {Sun{0.5, 33}, Sun{3, 117}, Sun{10, 201}, Sun{40, 290}, Sun{85, 63}}) {
+        make_map(sun);
+        std::vector<AirPoint3> const points = air_points();
+        Agreement const right = agreement(constants_, points);
+        RecordProperty("elevation_" + std::to_string(sun.elevation), std::to_string(right.wrong));
+        std::printf("elevation %g: %d dark, %d wrong, %d unexplained\n", sun.elevation, right.dark, right.wrong, right.unexplained);
+        EXPECT_GE(right.dark, 100) << sun.elevation;
+        EXPECT_LE(right.wrong, POINTS / 200) << sun.elevation;
+        EXPECT_EQ(right.unexplained, 0) << sun.elevation;
+
+        shader::ShadowCeiling moved = constants_;
+        moved.offset.y += 2 * moved.texel_v;
+        moved.offset.x += 2 * moved.texel_v;
+        EXPECT_GT(agreement(moved, points).unexplained, 0) << "two texels, " << sun.elevation;
+    }
+}
