@@ -20,8 +20,9 @@ inline Scene mountains(double radius) {
     for (int row = 0; row < SIDE; ++row) {
         for (int column = 0; column < SIDE; ++column) {
             double const x = STEP * (column - SIDE / 2), z = STEP * (row - SIDE / 2);
+            bool const border = row % (SIDE - 1) == 0 || column % (SIDE - 1) == 0; // hangs down, so that nothing looks in below
             Vertex vertex;
-            vertex.position = glm::vec3(x, height(x, z) - (x * x + z * z) / (2 * radius), z);
+            vertex.position = glm::vec3(x, (border ? -2000 : height(x, z)) - (x * x + z * z) / (2 * radius), z);
             mesh.vertices.push_back(vertex);
             if (row + 1 == SIDE || column + 1 == SIDE) continue;
             auto const at = static_cast<std::uint32_t>(row * SIDE + column);
