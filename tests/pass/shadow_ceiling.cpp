@@ -3,10 +3,10 @@
 #include "support/mountains.h"
 #include "support/render_test.h"
 
-#include <test_shaders.h>
-
 #include "gpu/transfer.h"
 #include "render/executor.h"
+
+#include <test_shaders.h>
 
 #include <algorithm>
 #include <cmath>
@@ -132,4 +132,49 @@ TEST_F(ShadowCeilingMap, agrees_with_rays_through_the_terrain) {
         moved.offset.x += 2 * moved.texel_v;
         EXPECT_GT(agreement(moved, points).unexplained, 0) << "two texels, " << sun.elevation;
     }
+}
+
+// Filters differ in the last bits of their weights, 1/256 of a texel at worst; the penumbra spreads that over its width.
+TEST_F(ShadowCeilingMap, gives_the_same_on_the_device) {
+    make_map({2, 117, 0});
+    std::vector<AirPoint3> const points = air_points();
+    constexpr Extent SHAPE{100, POINTS / 100};
+    std::vector<glm::vec4> places;
+    for (AirPoint3 const& point : points) places.emplace_back(light_of(point.world), 0);
+    auto const input = make_float_image(device(), places, SHAPE), map = make_float_image(device(), texels_, {SIZE, SIZE});
+    auto const output = make_float_image(device(), places, SHAPE);
+    FrameGraph graph;
+    graph.add(ComputePass{"look", shaders::shadow_ceiling_look_comp,
+                          {sampled(0, graph.import(*input, "places", ShowScale::unit, true), NEAREST_CLAMP),
+                           stored(1, graph.import(*output, "result", ShowScale::unit, false)),
+                           sampled(2, graph.import(*map, "map", ShowScale::unit, true))},
+                          SHAPE, bytes_of(constants_)});
+    Executor executor(device());
+    executor.submit(graph);
+    executor.wait();
+    auto const seen = values_of<glm::vec4>(read_back(device(), *output));
+    int differ = 0, partly = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        double const expected = visibility(constants_, points[i].world);
+        partly += expected > 0.01 && expected < 0.99;
+        differ += std::abs(seen[i].x - expected) > 0.02;
+    }
+    EXPECT_GT(partly, 10);
+    EXPECT_LE(differ, 2); // where a corner of the map is empty, a weight that one of them rounds to 0 decides
+}
+
+// The map is made when the sun or the scene changes, and not with the camera.
+TEST_F(ShadowCeilingMap, is_made_when_the_sun_moves_and_kept_while_it_stands) {
+    auto const made = [&](Sun const& sun) {
+        make_map(sun);
+        renderer().wait();
+        return std::ranges::any_of(renderer().timings(), [](PassTime const& time) { return time.name == "shadow_ceiling"; });
+    };
+    EXPECT_TRUE(made({10, 201, 0}));
+    EXPECT_FALSE(made({10, 201, 0}));
+    EXPECT_TRUE(made({10.05, 201, 0}));
+    put(scene_, stand_);
+    EXPECT_TRUE(made({10.05, 201, 0}));
+    settings_.ceiling_size = 0;
+    EXPECT_FALSE(made({10.05, 201, 0}));
 }
