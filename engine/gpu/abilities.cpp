@@ -21,7 +21,8 @@ constexpr VkFormatFeatureFlags BLIT = VK_FORMAT_FEATURE_BLIT_SRC_BIT | VK_FORMAT
 constexpr std::array FORMAT_NEEDS = {
     FormatNeed{VK_FORMAT_R32G32B32A32_SFLOAT, FILTERED | VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT,
                "32-bit float tables with linear filtering"},
-    FormatNeed{VK_FORMAT_R32G32_SFLOAT, SAMPLED | VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT, "pairs of 32-bit floats"},
+    FormatNeed{VK_FORMAT_R32G32_SFLOAT, FILTERED | VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT,
+               "32-bit float pairs with linear filtering"},
     FormatNeed{VK_FORMAT_R16G16B16A16_SNORM, COLOR, "16-bit signed normals as an attachment"},
     FormatNeed{VK_FORMAT_B10G11R11_UFLOAT_PACK32, COLOR, "packed-float emission as an attachment"},
     FormatNeed{VK_FORMAT_R8G8B8A8_SRGB, COLOR | FILTERED | BLIT, "sRGB colour"},
@@ -46,6 +47,7 @@ std::vector<std::string> missing_abilities(DeviceAbilities const& abilities, boo
     note(lacks, abilities.vulkan13.maintenance4, "maintenance4");
     note(lacks, abilities.vulkan12.scalarBlockLayout, "scalarBlockLayout");
     note(lacks, abilities.features.features.depthClamp, "depthClamp");
+    note(lacks, abilities.features.features.shaderStorageImageExtendedFormats, "shaderStorageImageExtendedFormats");
     note(lacks, abilities.subgroup_votes, "subgroup votes in compute shaders");
     auto const has = [&](char const* name) {
         return std::ranges::find(abilities.extensions, name) != abilities.extensions.end();

@@ -188,7 +188,7 @@ void Device::make_device(bool window) {
     VkPhysicalDeviceFeatures2 features{};
     features.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
     features.pNext = &vulkan12;
-    features.features.depthClamp = VK_TRUE;
+    features.features.depthClamp = features.features.shaderStorageImageExtendedFormats = VK_TRUE;
 
     std::vector<char const*> extensions = {VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME};
     if (window) extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);

@@ -49,6 +49,7 @@ std::uint32_t bytes_per_texel(VkFormat format) {
     case VK_FORMAT_B10G11R11_UFLOAT_PACK32:
     case VK_FORMAT_R32_SFLOAT:
     case VK_FORMAT_D32_SFLOAT: return 4;
+    case VK_FORMAT_R32G32_SFLOAT:
     case VK_FORMAT_R16G16B16A16_UNORM:
     case VK_FORMAT_R16G16B16A16_SNORM:
     case VK_FORMAT_R16G16B16A16_SFLOAT: return 8;

@@ -10,6 +10,7 @@
 #include "render/passes/lighting.h"
 #include "render/passes/post_aa.h"
 #include "render/passes/shadow_bounds.h"
+#include "render/passes/shadow_ceiling.h"
 #include "render/passes/show.h"
 #include "render/passes/sun_shadow.h"
 
@@ -24,7 +25,7 @@ void build_frame(FrameGraph& graph, FrameInputs const& in) {
     graph.specialize({composition.x, composition.y});
 
     AirTables const tables = add_air_tables(graph, in, frame);
-    SunShadow const shadow = add_sun_shadow(graph, in, frame);
+    SunShadow const shadow{add_sun_shadow(graph, in, frame), add_shadow_ceiling(graph, in)};
     ImageId const shadow_bounds = add_shadow_bounds(graph, shadow.cascades);
     ImageId toned;
     for (int sample = 0; sample < in.settings.aa; ++sample) {

@@ -2,6 +2,7 @@
 
 #include "interop/frame.h"
 #include "render/cascades.h"
+#include "render/ceiling_store.h"
 #include "render/frame_graph.h"
 #include "render/gpu_scene.h"
 #include "render/ground_light.h"
@@ -28,6 +29,7 @@ struct AirLayer {
 
 struct SunShadow {
     ImageId cascades;
+    ImageId ceiling; ///< beyond them
 };
 
 struct GBuffer {
@@ -41,6 +43,7 @@ struct FrameInputs {
     Extent extent;
     GpuScene const* scene = nullptr;   ///< nullptr: the planet alone
     ShadowFit const& shadow;
+    CeilingMap const& ceiling;
     std::vector<shader::FrameConstants> const& constants; ///< one for each supersample
     AirModel const& model;             ///< how the air is lit
     GroundAround const& ground;        ///< that lights the air

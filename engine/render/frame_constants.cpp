@@ -75,14 +75,6 @@ void set_samples(shader::FrameConstants& frame, Settings const& settings) {
     frame.shaft_looks = exact ? 1 : settings.shafts == "fast" ? FAST_LOOKS : DEFAULT_LOOKS;
 }
 
-/// Above this nothing can be shaded by a mesh as high as `ceiling`: higher than the meshes where the sun stands below
-/// the horizon, because its rays come up from under the level.
-double shadow_ceiling(World const& world, double ceiling) {
-    double const sine = std::min(glm::dot(glm::normalize(world.camera.position), world.to_sun), 0.0);
-    double const radius = world.planet.radius;
-    return (radius + ceiling) / std::sqrt(1.0 - sine * sine) - radius + 10.0;
-}
-
 } // namespace
 
 glm::dvec2 supersample_offset(int index, int count) {
@@ -99,7 +91,7 @@ int curve_index(std::string_view name) {
 }
 
 shader::FrameConstants make_frame_constants(World const& world, Settings const& settings, Extent extent,
-                                            ShadowFit const& shadow, double ceiling, int sample_index) {
+                                            ShadowFit const& shadow, CeilingFit const& ceiling, int sample_index) {
     Camera const& camera = world.camera;
     shader::FrameConstants frame{};
     frame.atmosphere = atmosphere_of(world.planet);
@@ -107,7 +99,9 @@ shader::FrameConstants make_frame_constants(World const& world, Settings const& 
     glm::dvec2 const jitter = 2.0 * supersample_offset(sample_index, settings.aa) / size;
     frame.clip_from_relative[PROJECTION_VIEW] = view_clip(camera, extent, jitter);
     set_cascades(frame, shadow, camera.position);
-    frame.shadow_ceiling = static_cast<float>(shadow_ceiling(world, ceiling));
+    frame.ceiling = ceiling_constants(ceiling, shadow.light_from_world, camera.position);
+    frame.shaded_altitude = static_cast<float>(ceiling.shaded_altitude);
+    set_shaded_slabs(frame, ceiling);
 
     double const ty = std::tan(0.5 * camera.vertical_fov), tx = ty * size.x / size.y;
     frame.ray_centre = glm::vec3(camera.forward());

@@ -4,7 +4,7 @@
 #include "core/settings.h"
 #include "interop/frame.h"
 #include "render/atmosphere_constants.h"
-#include "render/cascades.h"
+#include "render/ceiling_fit.h"
 #include "scene/view.h"
 
 namespace alpenglow {
@@ -18,9 +18,9 @@ glm::dvec2 supersample_offset(int index, int count);
 /// interop/display.h's constant for a tone curve's name in the settings.
 int curve_index(std::string_view name);
 
-/// Everything the shaders know of a frame. `ceiling` [m]: the highest place of any mesh above the planet's radius.
+/// Everything the shaders know of a frame.
 shader::FrameConstants make_frame_constants(World const& world, Settings const& settings, Extent extent,
-                                            ShadowFit const& shadow, double ceiling, int sample_index);
+                                            ShadowFit const& shadow, CeilingFit const& ceiling, int sample_index);
 
 /// The name under which `show` knows the picture of which cascade shades what.
 inline constexpr char const* SHOW_CASCADES = "cascades";

@@ -60,6 +60,8 @@ char const* format_name(VkFormat format) {
         return "R16G16B16A16_SFLOAT";
     case VK_FORMAT_R32_SFLOAT:
         return "R32_SFLOAT";
+    case VK_FORMAT_R32G32_SFLOAT:
+        return "R32G32_SFLOAT";
     case VK_FORMAT_R32G32B32A32_SFLOAT:
         return "R32G32B32A32_SFLOAT";
     case VK_FORMAT_D32_SFLOAT:

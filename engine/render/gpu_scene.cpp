@@ -2,8 +2,9 @@
 
 #include "gpu/transfer.h"
 
-#include <algorithm>
+#include <embedded_shaders.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace alpenglow {
@@ -156,6 +157,22 @@ void GpuScene::draw(DrawContext& context, std::span<std::uint32_t const> items, 
         }
         vkCmdDrawIndexed(commands, item.index_count, 1, item.first_index, item.vertex_offset, 0);
     }
+}
+
+void GpuScene::draw_depth(DrawContext& context, std::span<std::uint32_t const> items, glm::dvec3 const& camera,
+                          int projection, float slope_bias) const {
+    RasterState state;
+    state.vertex = shaders::mesh_vert;
+    state.vertices = vertex_layout();
+    state.shadow = true;
+    state.slope_bias = slope_bias;
+    state.set1 = material_layout();
+    context.use(state);
+    draw(context, items, camera, projection, Which::opaque, false);
+    if (!has_masked_) return;
+    state.fragment = shaders::shadow_mask_frag;
+    context.use(state);
+    draw(context, items, camera, projection, Which::masked, false);
 }
 
 } // namespace alpenglow

@@ -21,7 +21,7 @@ ImageShape table_shape(std::uint32_t width, std::uint32_t height) {
 }
 
 std::vector<shader::FrameConstants> supersample_constants(World const& world, Settings const& settings, Extent extent,
-                                                          ShadowFit const& shadow, double ceiling) {
+                                                          ShadowFit const& shadow, CeilingFit const& ceiling) {
     std::vector<shader::FrameConstants> result;
     for (int i = 0; i < settings.aa; ++i)
         result.push_back(make_frame_constants(world, settings, extent, shadow, ceiling, i));
@@ -31,7 +31,7 @@ std::vector<shader::FrameConstants> supersample_constants(World const& world, Se
 } // namespace
 
 Renderer::Renderer(Device const& device, std::uint32_t frames_in_flight)
-    : device_(device), executor_(device, frames_in_flight), air_tables_(device),
+    : device_(device), executor_(device, frames_in_flight), air_tables_(device), ceiling_(device),
       exposure_(device, table_shape(1, 1), KEPT | VK_IMAGE_USAGE_TRANSFER_DST_BIT, "exposure"),
       seconds_(ADAPTED_AT_ONCE) {
     upload(device, exposure_, bytes_of(shader::ExposureState{1, 0, 0, 0}));
@@ -41,6 +41,7 @@ Renderer::~Renderer() { vkDeviceWaitIdle(device_.handle()); }
 
 void Renderer::set_scene(Scene const* scene, Placement const& placement, double planet_radius) {
     executor_.wait();
+    ceiling_.discard();
     scene_ = scene ? std::make_unique<GpuScene>(device_, *scene, placement, planet_radius) : nullptr;
 }
 
@@ -59,12 +60,17 @@ void Renderer::draw(World const& world, Settings const& settings, Extent extent,
                     PresentSync const& sync) {
     size_pictures(extent);
     ShadowFit shadow;
+    CeilingFit ceiling_fit;
     if (scene_) {
+        ShadowScene const shading{scene_->bounds(), scene_->world_from_scene()};
         ShadowSettings const wanted{settings.cascades, settings.cascade_size, settings.shadow_reach};
-        shadow = fit_cascades({scene_->bounds(), scene_->world_from_scene()}, world.camera, world.to_sun, wanted);
+        shadow = fit_cascades(shading, world.camera, world.to_sun, wanted);
+        int const size = settings.shadows || settings.shafts != "off" ? settings.ceiling_size : 0;
+        ceiling_fit = fit_ceiling(shading, scene_->highest_altitude(), world.planet, world.to_sun, size);
     }
-    double const ceiling = scene_ ? scene_->highest_altitude() : 0.0;
-    auto const constants = supersample_constants(world, settings, extent, shadow, ceiling);
+    if (!ceiling_.fits(ceiling_fit)) executor_.wait(), ceiling_.replace(ceiling_fit);
+    CeilingMap const ceiling = ceiling_.of(ceiling_fit);
+    auto const constants = supersample_constants(world, settings, extent, shadow, ceiling_fit);
     AirModel const& model = air_model(settings.model);
     AirTableStore::Kept& tables = air_tables_.of(model);
     shader::Atmosphere const& air = constants.front().atmosphere;
@@ -72,12 +78,13 @@ void Renderer::draw(World const& world, Settings const& settings, Extent extent,
     TableWork const work = table_work(tables, air, world.planet.name, settings.spread_tables, table_pace_);
     double const seconds = std::exchange(seconds_, ADAPTED_AT_ONCE);
     GroundAround const ground = scene_ ? ground_around(world, scene_->ground()) : planet_ground(world.planet);
-    FrameInputs const inputs{world,  settings,      extent,      scene_.get(), shadow,  constants, model,
+    FrameInputs const inputs{world,  settings,      extent,      scene_.get(), shadow,  ceiling,   constants, model,
                              ground, tables.tables, work.slices, exposure_,    seconds, *mean_,    *picture_};
     FrameGraph graph;
     build_frame(graph, inputs);
     if (finish) finish(graph, graph.find("picture"));
     executor_.submit(graph, sync);
+    ceiling_.finish(ceiling_fit);
     finish_work(tables, air, world.planet.name, work);
     tables_finished_ = tables.finished();
 }
@@ -113,6 +120,7 @@ shader::ExposureState Renderer::exposure() {
 
 GpuImage* Renderer::kept_image(std::string const& name) {
     if (name == "radiance") return mean_.get();
+    if (name == "shadow_ceiling") return ceiling_.map();
     return name == "picture" ? picture_.get() : air_tables_.find(name);
 }
 

@@ -11,7 +11,8 @@
 
 namespace alpenglow {
 
-/// Draws a world into a picture. Owns what outlives a frame: the tables of the air, the mean, the picture, the scene.
+/// Draws a world into a picture. Owns what outlives a frame: the tables of the air, the shadow ceiling, the mean,
+/// the picture, the scene.
 class Renderer {
 public:
     explicit Renderer(Device const& device, std::uint32_t frames_in_flight = 1);
@@ -33,6 +34,8 @@ public:
     void wait() { executor_.wait(); }
     /// The next frame makes the tables of its model of the air anew, at once; for measuring.
     void discard_air_tables() { air_tables_.discard(); }
+    /// The next frame makes the map of the shadow ceiling anew; for measuring.
+    void discard_shadow_ceiling() { ceiling_.discard(); }
     /// Whether the last picture was of finished tables; another frame goes on with them.
     bool tables_finished() const { return tables_finished_; }
 
@@ -56,6 +59,7 @@ private:
     Executor executor_;
     std::unique_ptr<GpuScene> scene_;
     AirTableStore air_tables_;
+    CeilingStore ceiling_;
     TablePace table_pace_;
     bool tables_finished_ = true;
     GpuImage exposure_;

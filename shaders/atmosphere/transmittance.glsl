@@ -8,6 +8,7 @@
 #ifndef ALPENGLOW_ATMOSPHERE_TRANSMITTANCE_GLSL
 #define ALPENGLOW_ATMOSPHERE_TRANSMITTANCE_GLSL
 #include "atmosphere/optical_depth.glsl"
+#include "atmosphere/sun_share.glsl"
 SHADER_NAMESPACE_BEGIN
 
 // Altitude [m] is clamped to the air, the direction to the horizon. `along` = r mu [m].
@@ -51,15 +52,11 @@ INLINE vec3 sample_optical_depth(sampler2D table, IN(Atmosphere) atmosphere, flo
     return power32(vec3(sample_bilinear(table, transmittance_uv_from_altitude_mu(atmosphere, h, mu))));
 }
 
-// The share of the sun's disc above the geometric horizon, exactly 0 to exactly 1, from altitude h [m]. Of a disc whose
-// centre stands x radii above a line the share is 1/2 + (x sqrt(1 - x²) + asin x) / pi; the polynomial in
-// y = (x + 1) / 2 is within 0.006 of it.
+// The share of the sun's disc above the geometric horizon, exactly 0 to exactly 1, from altitude h [m].
 INLINE float sun_above_horizon_along(IN(Atmosphere) atmosphere, float h, float sun_along) {
     float radius = atmosphere.ground_radius;
     float elevation = (sun_along + sqrt(power_from_altitude(radius, max(h, 0.0f)))) / radius; // [rad] above the horizon
-    float y = clamp(0.5f + 0.5f * elevation / max(atmosphere.sun_angular_radius, 1e-6f), 0.0f, 1.0f);
-    float bell = y * (1.0f - y);
-    return y * y * (3.0f - 2.0f * y) + (1.0f - 2.0f * y) * bell * bell * (3.489f - 6.70f * bell);
+    return disc_share_above(elevation / max(atmosphere.sun_angular_radius, 1e-6f));
 }
 
 INLINE float sun_above_horizon(IN(Atmosphere) atmosphere, float h, float mu_s) {

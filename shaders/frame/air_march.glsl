@@ -18,9 +18,12 @@ Span span_below(AirRay ray, float altitude) {
 
 // The stretch of `ray` that meshes can shade. The ray starts `entry` [m] from the camera; `light` is its direction in the sun's frame.
 Span shaded_span(AirRay ray, vec3 light, float entry, float end) {
-    Span inside = span_inside(frame.cascades[MOST_CASCADES - 1], light, 0.0);
-    Span span = crossed(Span(inside.begin - entry, inside.end - entry), span_below(ray, frame.shadow_ceiling));
-    return crossed(span, Span(0.0, end));
+    Span span = crossed(Span(0.0, end), span_below(ray, frame.shaded_altitude));
+    for (int i = 0; i < 3; ++i) {
+        float slope = dot(frame.shaded_slabs[i].xyz, light);
+        span = crossed(span, unit_span(frame.shaded_slabs[i].w + slope * entry, slope));
+    }
+    return span;
 }
 
 // The share of a cell's light that is left where the sun is seen in parts of it: more, where it is seen in that with more air, or

@@ -86,28 +86,35 @@ float look(Stretch stretch, float x) {
     return shadow_look(vec4(at.xy, stretch.layer, clamp(at.z, 0.0, 1.0)));
 }
 
-// Of the stretch between two distances [m] from the camera. Stretches that are lit or dark as a whole cost no more than one look,
-// others `frame.shaft_looks` at even places, each at the share `dither` of its part.
+void add_look(inout Seen seen, float v, float x) {
+    seen.mean += v;
+    seen.slope += v * (x - 0.5);
+}
+
+// Of the stretch between two distances [m] from the camera, by `frame.shaft_looks` at even places, each at the share `dither` of its
+// part. Stretches that are lit or dark as a whole cost one look. Those that reach to where the last cascade fades, which need more
+// for each look, have a loop of their own.
 Seen seen_between(ShaftRay ray, float begin, float end, float dither) {
     Stretch stretch = stretch_between(ray, begin, end);
     vec2 bounds = bounds_around(stretch);
     float z0 = clamp(stretch.from.z, 0.0, 1.0), z1 = clamp(stretch.from.z + stretch.along.z, 0.0, 1.0);
     bool lit = max(z0, z1) <= bounds.x, dark = min(z0, z1) > bounds.y;
-    bool near = holds(ray.near, begin, end), known = near && (lit || dark);
+    bool near = holds(ray.near, begin, end);
+    int looks = near && (lit || dark) ? 1 : frame.shaft_looks;
 
-    Cascade last = frame.cascades[MOST_CASCADES - 1];
-    float part = 1.0 / float(frame.shaft_looks), x = dither * part;
-    Seen seen = Seen(0.0, 0.0);
+    float part = 1.0 / float(looks), x = dither * part;
+    Seen seen = Seen(0.0, 0.0), beyond = seen;
     int i = 0;
     do {
-        float v = look(stretch, x);
-        v = faded(v, inside_cascade(cascade_uv(last, ray.light.xy * mix(begin, end, x))));
-        seen.mean += v;
-        seen.slope += v * (x - 0.5);
-        x += part;
-    } while (subgroupAny(!known && ++i < frame.shaft_looks));
-    if (known) return Seen(lit ? 1.0 : 0.0, 0.0);
-    return Seen(seen.mean * part, seen.slope * part);
+        add_look(seen, look(stretch, x + part * float(i)), x + part * float(i));
+    } while (subgroupAny(near && ++i < looks));
+    i = 0;
+    do {
+        add_look(beyond, air_visibility(ray.light * mix(begin, end, x + part * float(i))), x + part * float(i));
+    } while (subgroupAny(!near && ++i < looks));
+    if (lit && near) return Seen(1.0, 0.0);
+    if (dark && near) return Seen(0.0, 0.0);
+    return near ? Seen(seen.mean * part, seen.slope * part) : Seen(beyond.mean * part, beyond.slope * part);
 }
 
 #endif

@@ -1,7 +1,8 @@
-// Looking into the shadow cascades. A cascade is chosen without branches or loops: they are nested, so the finest that holds a
-// place is the first. Included by the lighting pass: reads its `frame` and `shadow_cascades`.
+// Looking into the shadow cascades, and beyond them into the shadow ceiling. A cascade is chosen without branches or loops: they are
+// nested, so the finest that holds a place is the first. Reads its includer's `frame`, `shadow_cascades` and `ceiling_map`.
 #ifndef ALPENGLOW_FRAME_SUN_SHADOW
 #define ALPENGLOW_FRAME_SUN_SHADOW
+#include "atmosphere/shadow_ceiling.glsl"
 #include "interop/frame.h"
 
 // 1 where a place in a cascade (texture coordinates, layer, depth) is lit. The air's rays look at so many that single texels will do.
@@ -54,14 +55,16 @@ CascadePlace choose_cascade(vec2 light, float margin, float first) {
 // and the cleared depth of 1 would shade it.
 float light_depth(float z) { return clamp(z * frame.light_depth.x + frame.light_depth.y, 0.0, 1.0); }
 
-// Nothing is known at the cascades' reach, and it counts as lit; the change is spread over a margin.
-float faded(float lit, float last_inside) { return mix(1.0, lit, clamp(last_inside / frame.shadow_fade, 0.0, 1.0)); }
+// The ceiling takes over at the cascades' reach; the change is spread over a margin.
+float handed_over(float in_cascade, float in_ceiling, float last_inside) {
+    return mix(in_ceiling, in_cascade, clamp(last_inside / frame.shadow_fade, 0.0, 1.0));
+}
 
 // 1 where the sun reaches a place in the air, 0 in shadow. `light`: in the sun's frame, from the camera [m].
 float air_visibility(vec3 light) {
     CascadePlace place = choose_cascade(light.xy, 0.004, 0.0);
     float lit = shadow_look(vec4(place.uv, place.layer, light_depth(light.z)));
-    return faded(lit, place.last_inside);
+    return handed_over(lit, ceiling_visibility(ceiling_map, frame.ceiling, ceiling_place(frame.ceiling, light)), place.last_inside);
 }
 
 // Texture coordinates and depth in a cascade of a surface that is moved out along its normal by as much as the filter reaches at its
@@ -82,6 +85,13 @@ float surface_visibility_in(CascadePlace place, vec3 light, vec3 light_normal) {
     return lit / 9.0;
 }
 
+// A surface in the ceiling. It doesn't shade itself: its own place in the map is passed over, along the ray to the sun.
+float surface_ceiling_visibility(vec3 light) {
+    CeilingPlace place = ceiling_place(frame.ceiling, light);
+    place.uv.y -= 2.0 * frame.ceiling.texel_v;
+    return ceiling_visibility(ceiling_map, frame.ceiling, place);
+}
+
 const float SURFACE_MARGIN = 0.01; // of a cascade's half width: room for the filter
 const float SURFACE_BLEND = 0.1;   // over which one cascade goes over into the next
 
@@ -93,7 +103,8 @@ float surface_visibility(vec3 light, vec3 light_normal) {
     // One comparison of the coarser cascade, which the sampler filters over two of its texels, is as soft as nine of the finer one.
     vec3 moved = moved_out(far, light, light_normal);
     float far_lit = shadow_look(vec4(moved.xy, far.layer, moved.z));
-    return faded(mix(far_lit, surface_visibility_in(near, light, light_normal), share), near.last_inside);
+    float in_cascade = mix(far_lit, surface_visibility_in(near, light, light_normal), share);
+    return handed_over(in_cascade, surface_ceiling_visibility(light), near.last_inside);
 }
 
 #endif

@@ -9,7 +9,8 @@
 #define AIR_INSCATTERED_SLOT 3           // out, rgba32f: radiance relative to the sun's irradiance [1/sr]
 #define AIR_TRANSMITTANCE_SLOT 4         // out, rgba32f
 
-#define AIR_SHADOW_BOUNDS_SLOT 7         // in: interop/shadow_bounds.h; with a mesh in the world
+#define AIR_SHADOW_BOUNDS_SLOT 7         // in: interop/shadow_bounds.h
+#define AIR_CEILING_SLOT 8               // in: interop/shadow_ceiling.h
 
 // air_repair, in: texel (i, j) holds pixel (i, j) * stride
 #define AIR_COARSE_INSCATTERED_SLOT 5

@@ -2,6 +2,7 @@
 #ifndef ALPENGLOW_INTEROP_FRAME_H
 #define ALPENGLOW_INTEROP_FRAME_H
 #include "interop/atmosphere.h"
+#include "interop/shadow_ceiling.h"
 
 #define FRAME_SLOT 0 // of every pass that takes FrameConstants: uniform buffer
 
@@ -47,7 +48,9 @@ struct FrameConstants {
     Cascade cascades[MOST_CASCADES];
     int cascade_count;
     float shadow_fade;             // share of the last cascade's half width over which it fades
-    float shadow_ceiling;          // [m] altitude above which no mesh can shade the air
+    ShadowCeiling ceiling;
+    vec4 shaded_slabs[3];          // meshes shade the air only where slab.xyz * light + slab.w is 0 to 1 in all: light in the sun's frame, from the camera
+    float shaded_altitude;         // [m] and below this
     vec3 ray_centre;               // direction of a pixel = ray_centre + ndc.x * ray_right + ndc.y * ray_up, not unit
     vec3 ray_right;
     vec3 ray_up;
@@ -69,7 +72,7 @@ struct FrameConstants {
     int exact_cells;               // even cells where a mesh can shade the air, beside `samples`; 0: some of the samples
     int sample_index;              // which supersample this is
 };
-CHECK_SIZE(FrameConstants, 1484);
+CHECK_SIZE(FrameConstants, 1600);
 
 SHADER_NAMESPACE_END
 #endif

@@ -20,6 +20,7 @@ layout(set = 0, binding = LIGHTING_SHADOW_SLOT) uniform sampler2DArrayShadow sha
 layout(set = 0, binding = LIGHTING_OPEN_SLOT) uniform sampler2D open_image;
 layout(set = 0, binding = LIGHTING_INSCATTERED_SLOT) uniform sampler2D inscattered_image;
 layout(set = 0, binding = LIGHTING_TRANSMITTANCE_SLOT) uniform sampler2D transmittance_image;
+layout(set = 0, binding = LIGHTING_CEILING_SLOT) uniform sampler2D ceiling_map;
 layout(set = 0, binding = LIGHTING_LIT_SLOT, rgba32f) uniform writeonly image2D lit_image;
 layout(push_constant, scalar) uniform Push { LightingPush push; };
 

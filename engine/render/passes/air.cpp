@@ -33,6 +33,7 @@ AirLayer add_air(FrameGraph& graph, FrameInputs const& in, ConstantsId frame, Ai
     Extent const coarse{coarse_side(extent.width, stride), coarse_side(extent.height, stride)};
     std::vector<Slot> slots{constants(FRAME_SLOT, frame), sampled(AIR_DEPTH_SLOT, obstacles.depth, NEAREST_CLAMP),
                             sampled_array(AIR_SHADOW_SLOT, obstacles.shadow.cascades, NEAREST_CLAMP),
+                            sampled(AIR_CEILING_SLOT, obstacles.shadow.ceiling),
                             sampled(AIR_SHADOW_BOUNDS_SLOT, obstacles.shadow_bounds, NEAREST_CLAMP)};
     slots.insert(slots.end(), tables.slots.begin(), tables.slots.end());
     auto const add = [&](std::string name, ShaderCode const& shader, AirLayer const& made, Extent threads, std::vector<Slot> more) {

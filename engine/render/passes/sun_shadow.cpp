@@ -2,8 +2,6 @@
 
 #include "interop/gbuffer.h"
 
-#include <embedded_shaders.h>
-
 namespace alpenglow {
 
 namespace {
@@ -19,31 +17,15 @@ std::vector<std::uint32_t> casters(FrameInputs const& in, CascadeFit const& casc
     return result;
 }
 
-RasterState caster_state(GpuScene const& scene) {
-    RasterState state;
-    state.vertex = shaders::mesh_vert;
-    state.vertices = GpuScene::vertex_layout();
-    state.shadow = true;
-    state.slope_bias = CASTER_SLOPE_BIAS;
-    state.set1 = scene.material_layout();
-    return state;
-}
-
 void draw_casters(DrawContext& context, FrameInputs const& in, std::size_t cascade) {
     std::vector<std::uint32_t> const items = casters(in, in.shadow.cascades[cascade]);
     int const projection = PROJECTION_CASCADE + static_cast<int>(cascade);
-    RasterState state = caster_state(*in.scene);
-    context.use(state);
-    in.scene->draw(context, items, in.world.camera.position, projection, GpuScene::Which::opaque, false);
-    if (!in.scene->has_masked()) return;
-    state.fragment = shaders::shadow_mask_frag;
-    context.use(state);
-    in.scene->draw(context, items, in.world.camera.position, projection, GpuScene::Which::masked, false);
+    in.scene->draw_depth(context, items, in.world.camera.position, projection, CASTER_SLOPE_BIAS);
 }
 
 } // namespace
 
-SunShadow add_sun_shadow(FrameGraph& graph, FrameInputs const& in, ConstantsId frame) {
+ImageId add_sun_shadow(FrameGraph& graph, FrameInputs const& in, ConstantsId frame) {
     bool const any = in.scene && !in.shadow.cascades.empty() && (in.settings.shadows || in.settings.shafts != "off");
     auto const side = any ? static_cast<std::uint32_t>(in.settings.cascade_size) : 1u;
     auto const layers = any ? static_cast<std::uint32_t>(in.shadow.cascades.size()) : 1u;
@@ -54,7 +36,7 @@ SunShadow add_sun_shadow(FrameGraph& graph, FrameInputs const& in, ConstantsId f
         if (any) pass.draw = [&in, layer](DrawContext& context) { draw_casters(context, in, layer); };
         graph.add(std::move(pass));
     }
-    return {cascades};
+    return cascades;
 }
 
 } // namespace alpenglow
