@@ -11,7 +11,7 @@ namespace alpenglow {
 namespace {
 
 constexpr int EXACT_CLEAR_SHARE_PERCENT = 8; ///< cells where nothing shades the air, for each exact one: 64 for 800
-constexpr int FAST_LOOKS = 4, DEFAULT_LOOKS = 8; ///< into the cascades for each of the march's cells: docs/shafts.md
+constexpr int FAST_LOOKS = 8, DEFAULT_LOOKS = 16; ///< into the cascades for each of the march's cells: docs/shafts.md
 
 glm::mat4 view_clip(Camera const& camera, Extent extent, glm::dvec2 const& jitter) {
     double const scale = 1.0 / std::tan(0.5 * camera.vertical_fov);
