@@ -5,9 +5,13 @@
 #include "image/compare.h"
 #include "image/mask.h"
 #include "image/metrics.h"
+#include "sandbox/median.h"
 
 #include <algorithm>
+#include <array>
+#include <cstring>
 #include <fmt/format.h>
+#include <string_view>
 
 namespace alpenglow {
 
@@ -15,20 +19,47 @@ namespace fs = std::filesystem;
 
 namespace {
 
-double mean_of_channels(FloatImage const& image) {
+/// Passes that shafts have no part in.
+constexpr std::array<std::string_view, 11> OTHER_PASSES{
+    "ground_light", "sun_shadow", "gbuffer", "ambient_occlusion", "ambient_occlusion_smooth", "lighting",
+    "exposure",     "accumulate", "display", "post_aa",           "show"};
+
+double mean_of_channels(std::span<float const> rgba) {
     double sum = 0;
-    for (std::size_t i = 0; i < image.rgba.size(); ++i) sum += i % 4 == 3 ? 0 : double{image.rgba[i]};
-    return sum / static_cast<double>(3 * image.extent.pixels());
+    for (std::size_t i = 0; i < rgba.size(); ++i) sum += i % 4 == 3 ? 0 : double{rgba[i]};
+    return sum / (0.75 * static_cast<double>(rgba.size()));
+}
+
+double mean_inscattered(Renderer& renderer) {
+    std::vector<std::byte> const bytes = renderer.image_bytes("air_inscattered");
+    std::vector<float> values(bytes.size() / sizeof(float));
+    std::memcpy(values.data(), bytes.data(), bytes.size());
+    return values.empty() ? 0 : mean_of_channels(values);
+}
+
+double shaft_ms(std::vector<PassTime> const& passes) {
+    double sum = 0;
+    for (PassTime const& pass : passes)
+        sum += std::ranges::find(OTHER_PASSES, pass.name) == OTHER_PASSES.end() ? pass.gpu_ms : 0;
+    return sum;
+}
+
+double timed_frame(Stage& stage, View const& view, World const& world, Extent size) {
+    stage.draw(view, world, size);
+    stage.renderer().wait();
+    return shaft_ms(stage.renderer().timings());
 }
 
 } // namespace
 
-ShaftLevel exact_shafts() { return {"exact", {{"shafts", "on"}, {"samples", "1024"}}}; }
-ShaftLevel no_shafts() { return {"off", {{"shafts", "off"}, {"samples", "1024"}}}; }
+ShaftLevel exact_shafts() { return {"exact", {{"shafts", "exact"}}}; }
+ShaftLevel no_shafts() { return {"off", {{"shafts", "off"}}}; }
 ShaftLevel even_steps(int count) {
-    return {fmt::format("{} steps", count), {{"shafts", "on"}, {"samples", std::to_string(2 * count)}}};
+    return {fmt::format("{} steps", count), {{"shafts", "exact"}, {"exact_steps", std::to_string(count)}}};
 }
-std::vector<ShaftLevel> shaft_levels() { return {no_shafts(), even_steps(20), even_steps(200)}; }
+std::vector<ShaftLevel> shaft_levels() {
+    return {no_shafts(), even_steps(20), {"fast", {{"shafts", "fast"}}}, {"default", {{"shafts", "default"}}}};
+}
 
 std::vector<fs::path> shaft_views() {
     fs::path const folder = assets_folder() / "views/shafts";
@@ -42,18 +73,20 @@ std::vector<fs::path> shaft_views() {
     return files;
 }
 
-View at_level(View view, ShaftLevel const& level) {
+ShaftPicture draw_shafts(Stage& stage, View view, ShaftLevel const& level, Extent size, int timed) {
     apply_overrides(view.settings, level.settings);
-    return view;
-}
-
-FloatImage draw_shafts(Stage& stage, View const& view, Extent size) {
-    stage.draw(view, stage.prepare(view), size);
-    FloatImage picture = stage.renderer().radiance();
-    if (std::size_t const count = count_non_finite(picture); count > 0) {
+    World const world = stage.prepare(view);
+    ShaftPicture picture;
+    picture.ms = timed_frame(stage, view, world, size);
+    picture.radiance = stage.renderer().radiance();
+    if (std::size_t const count = count_non_finite(picture.radiance); count > 0) {
         throw Error(ErrorKind::device, fmt::format("{} rendered pixels are not finite", count), "view " + view.name,
                     "this is a fault of the renderer or its device: try another --device");
     }
+    picture.mean_inscattered = mean_inscattered(stage.renderer());
+    std::vector<double> times;
+    for (int i = 0; i < timed; ++i) times.push_back(timed_frame(stage, view, world, size));
+    if (timed > 0) picture.ms = median(times);
     return picture;
 }
 
@@ -61,23 +94,22 @@ ShaftCase make_shaft_case(Stage& stage, View view, Extent size) {
     view.settings.sun_disc = view.settings.stars = false;
     view.settings.aa = 1;
     ShaftCase made;
-    made.view = view;
     made.size = size;
-    made.off = draw_shafts(stage, at_level(view, no_shafts()), size);
-    made.exact = draw_shafts(stage, at_level(view, exact_shafts()), size);
-    made.mean_inscattered = mean_of_channels(made.exact);
-    made.mask = where_apart(made.off, made.exact, SHAFT_MASK);
+    FloatImage const off = draw_shafts(stage, view, no_shafts(), size, 0).radiance;
+    made.exact = draw_shafts(stage, view, exact_shafts(), size, 0);
+    made.mask = where_apart(off, made.exact.radiance, SHAFT_MASK);
+    made.view = std::move(view);
     return made;
 }
 
 ShaftError shaft_error(FloatImage const& picture, ShaftCase const& given) {
     ShaftError error;
-    error.map = compute_hdr_flip(given.exact, picture);
+    error.map = compute_hdr_flip(given.exact.radiance, picture);
     error.flip = error.map.mean;
     error.masked_flip = masked_mean(error.map.error, given.mask);
-    Metrics const metrics = measure(picture, given.exact);
+    Metrics const metrics = measure(picture, given.exact.radiance);
     error.rmse = metrics.rel_rmse.value();
-    error.p999 = metrics.p999.value() / given.mean_inscattered;
+    error.p999 = metrics.p999.value() / given.exact.mean_inscattered;
     return error;
 }
 

@@ -20,9 +20,9 @@ struct ShaftLevel {
 /// What every level is measured against, and no shafts at all.
 ShaftLevel exact_shafts();
 ShaftLevel no_shafts();
-/// `count` even samples inside the span that can be shadowed.
+/// Brute force: `count` even samples where meshes can shade the air.
 ShaftLevel even_steps(int count);
-/// The levels of a table, `no_shafts` first.
+/// The levels that have errors: no_shafts, brute force with 20 steps, and those of the setting.
 std::vector<ShaftLevel> shaft_levels();
 
 /// Pixels whose luminance the shafts change by more than this share are those of the masked mean.
@@ -32,27 +32,32 @@ inline constexpr double SHAFT_MASK = 0.02;
 struct ShaftError {
     double flip = 0;                   ///< mean HDR FLIP, 0 to 1
     std::optional<double> masked_flip; ///< over the pixels that shafts change; empty where there are none
-    double rmse = 0;                   ///< over all pixels and channels, over the mean of the exact picture
-    double p999 = 0; ///< 99.9th percentile of the absolute error, over the mean in-scattered radiance
+    double rmse = 0; ///< over all pixels and channels, over the mean of the exact picture
+    double p999 = 0; ///< 99.9th percentile of the channels' absolute errors, over the mean in-scattered radiance
     FlipResult map;
 };
 
-/// A view with all that its levels are measured with. Without the sun's disc and the stars.
+/// The linear radiance of a view at one level, and what it cost.
+struct ShaftPicture {
+    FloatImage radiance;
+    double mean_inscattered = 0; ///< of all pixels and channels [radiance]
+    double ms = 0;               ///< of its passes, without those that draw surfaces and the display's
+};
+
+/// A view with what its levels are measured against. Without the sun's disc and the stars, which no shaft changes.
 struct ShaftCase {
     View view;
     Extent size;
-    FloatImage exact, off;
-    std::vector<bool> mask;      ///< pixels that shafts change
-    double mean_inscattered = 0; ///< of all pixels and channels of the exact picture [radiance]
+    ShaftPicture exact;
+    std::vector<bool> mask; ///< pixels that shafts change
 };
 
 /// The views of assets/views/shafts by name. Throws Error(bad_input) where there are none.
 std::vector<std::filesystem::path> shaft_views();
 
-/// The view with the level's settings.
-View at_level(View view, ShaftLevel const& level);
-/// Its linear radiance. Throws Error; Error(device) where a pixel is not finite.
-FloatImage draw_shafts(Stage& stage, View const& view, Extent size);
+/// Draws the view at the level, then `timed` frames for the time, which is that of the first without them. Throws Error;
+/// Error(device) where a pixel is not finite.
+ShaftPicture draw_shafts(Stage& stage, View view, ShaftLevel const& level, Extent size, int timed);
 
 ShaftCase make_shaft_case(Stage& stage, View view, Extent size);
 ShaftError shaft_error(FloatImage const& picture, ShaftCase const& given);
