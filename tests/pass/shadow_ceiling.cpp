@@ -134,6 +134,30 @@ TEST_F(ShadowCeilingMap, agrees_with_rays_through_the_terrain) {
     }
 }
 
+// Places on the triangles that face the sun, with the two texels towards it that are passed over.
+TEST_F(ShadowCeilingMap, shades_the_ground_and_not_itself) {
+    for (double const elevation : {3, 10, 40}) {
+        make_map({elevation, 117, 0});
+        std::mt19937 random(7);
+        std::uniform_real_distribution<double> unit(-11e3, 11e3);
+        glm::dvec3 const up = fit_.axes[1];
+        double places = 0, lit = 0, falsely_dark = 0, falsely_lit = 0;
+        while (places < POINTS) {
+            glm::dvec3 const above = stand_.world({unit(random), 0, unit(random)}) + 2e4 * up;
+            GroundPoint const ground = *mesh_.first_hit(above, -up, 1e5, Sides::both);
+            if (glm::dot(ground.facing, to_sun_) < 0.02) continue; // in its own shadow, whatever stands around
+            shader::CeilingPlace const place = shader::ceiling_surface_place(constants_, light_of(ground.position));
+            double const seen = shader::ceiling_visibility({SIZE, SIZE, texels_.data()}, constants_, place);
+            bool const is_lit = !mesh_.occludes(ground.position, to_sun_);
+            ++places, lit += is_lit;
+            (is_lit ? falsely_dark : falsely_lit) += std::abs(seen - (is_lit ? 1 : 0));
+        }
+        // A shadow's edge is off by up to a texel of 66 m on slopes that are kilometres long.
+        EXPECT_LT(falsely_dark, 0.01 * lit) << elevation;
+        EXPECT_LT(falsely_lit, 0.01 * places) << elevation;
+    }
+}
+
 // Filters differ in the last bits of their weights, 1/256 of a texel at worst; the penumbra spreads that over its width.
 TEST_F(ShadowCeilingMap, gives_the_same_on_the_device) {
     make_map({2, 117, 0});
