@@ -34,8 +34,8 @@ struct Settings {
     bool ambient_occlusion = true;
     int cascades = 4;          ///< 1 to 4
     int cascade_size = 2048;   ///< texels along a side, 256 to 8192
-    double shadow_reach = 1e5; ///< [m]
     int ceiling_size = 2048;   ///< [texels] along a side of the shadow ceiling's map; 0: no shadow beyond shadow_reach
+    double shadow_reach = 1e5; ///< [m]
 
     // The picture
     double exposure = 0.0;        ///< [stops]; displayed = curve(2^exposure * radiance)

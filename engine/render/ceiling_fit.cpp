@@ -17,7 +17,7 @@ constexpr double LONGEST = 1e6;     // [m] of a shadow; behind, the planet shade
 glm::dmat3 turned_axes(glm::dmat4 const& world_from_scene, glm::dvec3 const& to_sun) {
     glm::dvec3 const up = glm::normalize(glm::dvec3(world_from_scene[1]));
     glm::dvec3 const level = to_sun - up * glm::dot(to_sun, up);
-    glm::dvec3 const sunward = glm::length(level) > 1e-6 ? glm::normalize(level) : glm::normalize(glm::dvec3(world_from_scene[0]));
+    glm::dvec3 const sunward = glm::normalize(glm::length(level) > 1e-6 ? level : glm::dvec3(world_from_scene[0]));
     return {glm::cross(up, sunward), up, sunward};
 }
 
@@ -51,7 +51,8 @@ glm::dvec3 over_axis(CeilingFit const& fit) { return fit.axes[1] * fit.sun.x - f
 
 } // namespace
 
-CeilingFit fit_ceiling(ShadowScene const& scene, double highest, Planet const& planet, glm::dvec3 const& to_sun, int size) {
+CeilingFit fit_ceiling(ShadowScene const& scene, double highest, Planet const& planet, glm::dvec3 const& to_sun,
+                       int size) {
     CeilingFit fit;
     fit.planet_radius = planet.radius;
     fit.sun_angular_radius = planet.sun_angular_radius;

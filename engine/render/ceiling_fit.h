@@ -27,7 +27,8 @@ struct CeilingFit {
 /// `size`: texels along a side; 0 and what has no use for a map give a fit without one: no scene, one that spans more
 /// than a quarter of the planet's radius, or a sun so low that the planet shades all air over the scene.
 /// `highest` [m]: the highest place of any mesh above the planet's radius.
-CeilingFit fit_ceiling(ShadowScene const& scene, double highest, Planet const& planet, glm::dvec3 const& to_sun, int size);
+CeilingFit fit_ceiling(ShadowScene const& scene, double highest, Planet const& planet, glm::dvec3 const& to_sun,
+                       int size);
 
 /// The matrix that draws the scene from above into the map, for vertices relative to the fit's origin in world axes.
 glm::mat4 ceiling_clip(CeilingFit const& fit);

@@ -72,6 +72,7 @@ void set_samples(shader::FrameConstants& frame, Settings const& settings) {
     bool const exact = settings.shafts == "exact" && (frame.flags & FRAME_SHAFTS) != 0;
     frame.samples = exact ? std::max(settings.exact_steps * EXACT_CLEAR_SHARE_PERCENT / 100, 16) : settings.samples;
     frame.exact_cells = exact ? settings.exact_steps : 0;
+    if (getenv("LOOKS")) { frame.shaft_looks = exact ? 1 : atoi(getenv("LOOKS")); return; }
     frame.shaft_looks = exact ? 1 : settings.shafts == "fast" ? FAST_LOOKS : DEFAULT_LOOKS;
 }
 

@@ -1,5 +1,6 @@
-// Looking into the shadow ceiling (interop/shadow_ceiling.h). A sun ray keeps `across` and `over`, so a place is in shadow where terrain
-// nearer to the sun in its column has a higher `over`; what the map holds at its down-sun edge holds for all that lies behind.
+// Looking into the shadow ceiling (interop/shadow_ceiling.h). A sun ray keeps `across` and `over`, so a place is in
+// shadow where terrain nearer to the sun in its column has a higher `over`; the map's down-sun edge holds for all that
+// lies behind.
 #ifndef ALPENGLOW_ATMOSPHERE_SHADOW_CEILING_GLSL
 #define ALPENGLOW_ATMOSPHERE_SHADOW_CEILING_GLSL
 #include "atmosphere/sun_share.glsl"
@@ -22,7 +23,15 @@ INLINE CeilingPlace ceiling_place(IN(ShadowCeiling) ceiling, vec3 light) {
     return CeilingPlace(vec2(across, sunward) * ceiling.scale + ceiling.offset, over, along);
 }
 
-// The share of the sun's disc that the terrain leaves, 0 to 1. The caster's edge counts as straight; nearer than a texel none is known.
+// Of a surface. It doesn't shade itself: its own place in the map is passed over, along the ray to the sun.
+INLINE CeilingPlace ceiling_surface_place(IN(ShadowCeiling) ceiling, vec3 light) {
+    CeilingPlace place = ceiling_place(ceiling, light);
+    place.uv.y -= 2.0f * ceiling.texel_v;
+    return place;
+}
+
+// The share of the sun's disc that the terrain leaves, 0 to 1. The caster's edge counts as straight; nearer than a texel
+// none is known.
 INLINE float ceiling_visibility(sampler2D map, IN(ShadowCeiling) ceiling, IN(CeilingPlace) place) {
     vec4 caster = sample_bilinear(map, place.uv);
     float above = place.over - caster.x;

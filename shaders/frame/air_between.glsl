@@ -1,10 +1,9 @@
-// The air's light between pixels whose light is known, and how far off that may be. Included by the pass `air_repair`.
+// The air's light between pixels whose light is known, and how far off that may be. Included by the pass `air_repair`, whose `push` it reads.
 #ifndef ALPENGLOW_FRAME_AIR_BETWEEN
 #define ALPENGLOW_FRAME_AIR_BETWEEN
 #include "atmosphere/segment_integral.glsl"
 #include "encoding/color.glsl"
 
-const float TOLERANCE = 0.01;   // of the air's light, and of what is behind it
 const float FAINT_SHARE = 0.25; // of the sky's mean radiance: air darker than that is judged as if it were that bright
 
 float pixel_depth(ivec2 pixel);
@@ -86,7 +85,7 @@ AirLight air_between(CoarseCell cell, vec2 share, float depth, float faint, out 
     float through = clamp(luminance(air.transmittance), 0.0, 0.9999);
     float off = depth_change(cell.depth, share, depth, through);
     doubt = max(doubt, off * max(luminance(air.inscattered) / (bright * (1.0 - through)), 1.0));
-    error = doubt / TOLERANCE;
+    error = doubt / push.tolerance;
     return air;
 }
 

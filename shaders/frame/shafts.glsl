@@ -86,6 +86,13 @@ float look(Stretch stretch, float x) {
     return shadow_look(vec4(at.xy, stretch.layer, clamp(at.z, 0.0, 1.0)));
 }
 
+// Where the last cascade fades and beyond: how far inside of it, and in the ceiling.
+float look_beyond(Stretch stretch, ShaftRay ray, float distance, float x) {
+    vec3 light = ray.light * distance;
+    float in_ceiling = ceiling_visibility(ceiling_map, frame.ceiling, ceiling_place(frame.ceiling, light));
+    return handed_over(look(stretch, x), in_ceiling, inside_cascade(cascade_uv(frame.cascades[MOST_CASCADES - 1], light.xy)));
+}
+
 void add_look(inout Seen seen, float v, float x) {
     seen.mean += v;
     seen.slope += v * (x - 0.5);
@@ -110,7 +117,8 @@ Seen seen_between(ShaftRay ray, float begin, float end, float dither) {
     } while (subgroupAny(near && ++i < looks));
     i = 0;
     do {
-        add_look(beyond, air_visibility(ray.light * mix(begin, end, x + part * float(i))), x + part * float(i));
+        float at = x + part * float(i);
+        add_look(beyond, look_beyond(stretch, ray, mix(begin, end, at), at), at);
     } while (subgroupAny(!near && ++i < looks));
     if (lit && near) return Seen(1.0, 0.0);
     if (dark && near) return Seen(0.0, 0.0);

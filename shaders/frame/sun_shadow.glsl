@@ -64,7 +64,8 @@ float handed_over(float in_cascade, float in_ceiling, float last_inside) {
 float air_visibility(vec3 light) {
     CascadePlace place = choose_cascade(light.xy, 0.004, 0.0);
     float lit = shadow_look(vec4(place.uv, place.layer, light_depth(light.z)));
-    return handed_over(lit, ceiling_visibility(ceiling_map, frame.ceiling, ceiling_place(frame.ceiling, light)), place.last_inside);
+    float in_ceiling = ceiling_visibility(ceiling_map, frame.ceiling, ceiling_place(frame.ceiling, light));
+    return handed_over(lit, in_ceiling, place.last_inside);
 }
 
 // Texture coordinates and depth in a cascade of a surface that is moved out along its normal by as much as the filter reaches at its
@@ -85,13 +86,6 @@ float surface_visibility_in(CascadePlace place, vec3 light, vec3 light_normal) {
     return lit / 9.0;
 }
 
-// A surface in the ceiling. It doesn't shade itself: its own place in the map is passed over, along the ray to the sun.
-float surface_ceiling_visibility(vec3 light) {
-    CeilingPlace place = ceiling_place(frame.ceiling, light);
-    place.uv.y -= 2.0 * frame.ceiling.texel_v;
-    return ceiling_visibility(ceiling_map, frame.ceiling, place);
-}
-
 const float SURFACE_MARGIN = 0.01; // of a cascade's half width: room for the filter
 const float SURFACE_BLEND = 0.1;   // over which one cascade goes over into the next
 
@@ -104,7 +98,8 @@ float surface_visibility(vec3 light, vec3 light_normal) {
     vec3 moved = moved_out(far, light, light_normal);
     float far_lit = shadow_look(vec4(moved.xy, far.layer, moved.z));
     float in_cascade = mix(far_lit, surface_visibility_in(near, light, light_normal), share);
-    return handed_over(in_cascade, surface_ceiling_visibility(light), near.last_inside);
+    float in_ceiling = ceiling_visibility(ceiling_map, frame.ceiling, ceiling_surface_place(frame.ceiling, light));
+    return handed_over(in_cascade, in_ceiling, near.last_inside);
 }
 
 #endif

@@ -21,7 +21,8 @@
 
 SHADER_NAMESPACE_BEGIN
 struct AirPush {
-    int stride; // [pixels] from one marched pixel to the next
+    int stride;      // [pixels] from one marched pixel to the next
+    float tolerance; // air_repair: of the air's light, and of what is behind it
 };
 SHADER_NAMESPACE_END
 #endif

@@ -49,7 +49,8 @@ struct FrameConstants {
     int cascade_count;
     float shadow_fade;             // share of the last cascade's half width over which it fades
     ShadowCeiling ceiling;
-    vec4 shaded_slabs[3];          // meshes shade the air only where slab.xyz * light + slab.w is 0 to 1 in all: light in the sun's frame, from the camera
+    vec4 shaded_slabs[3];          // meshes shade the air only where dot(slab.xyz, light) + slab.w is 0 to 1 in all;
+                                   // light: in the sun's frame, from the camera [m]
     float shaded_altitude;         // [m] and below this
     vec3 ray_centre;               // direction of a pixel = ray_centre + ndc.x * ray_right + ndc.y * ray_up, not unit
     vec3 ray_right;

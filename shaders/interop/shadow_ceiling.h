@@ -1,7 +1,8 @@
-// The shadow ceiling: terrain's shadow beyond the cascades, as a map of the scene turned to the sun. Places are (across, over, along)
-// from the scene's origin [m]: `along` towards the sun, `across` level, `over` upwards, both at right angles to the sun's rays.
+// The shadow ceiling: terrain's shadow beyond the cascades, as a map of the scene turned to the sun. Places are
+// (across, over, along) from the scene's origin [m]: `along` towards the sun, `across` level and `over` upwards, both at
+// right angles to the sun's rays. docs/shadow_ceiling.md.
 // Pass `terrain_height`: D32, the scene from above; row 0 is the sunward edge, columns lie along the sun's azimuth.
-// Pass `shadow_ceiling`: rg32f, for the terrain down to here from the sunward edge, x the highest `over` [m] and y its `along` [m].
+// Pass `shadow_ceiling`: rg32f, of the terrain from the sunward edge to here the highest `over` and its `along` [m].
 #ifndef ALPENGLOW_INTEROP_SHADOW_CEILING_H
 #define ALPENGLOW_INTEROP_SHADOW_CEILING_H
 #include "interop/language.h"
@@ -16,9 +17,9 @@ SHADER_NAMESPACE_BEGIN
 
 // What a frame knows of the map.
 struct ShadowCeiling {
-    vec2 light_across; // across = dot(light_across, light.xy) + camera.x, with `light` in the sun's frame from the camera
+    vec2 light_across; // across = dot(light_across, light.xy) + camera.x; light: sun's frame, from the camera [m]
     vec2 light_over;   // over likewise, with camera.y
-    vec3 camera;       // [m] its place
+    vec3 camera;       // [m] (across, over, along)
     vec2 sun;          // cosine and sine of the sun's elevation at the scene's origin
     vec2 scale;        // uv = (across, u) * scale + offset, u level towards the sun [1/m]
     vec2 offset;

@@ -17,8 +17,9 @@ vec2 terrain_at(int column, int row, int rows) {
     return depth < 1.0 ? place : vec2(CEILING_NONE, 0.0);
 }
 
-// A crest lies between rows and is higher than both: where the slopes on its two sides meet, each the gentler of the last two, so that
-// walls don't count as slopes. `over` of six rows; `none` where there is no crest between the third and the fourth.
+// A crest lies between rows and is higher than both: where the slopes on its two sides meet, each the gentler of the
+// last two, so that walls don't count as slopes. `over` of six rows; `none` where no crest lies between the third and
+// the fourth.
 float crest_between(float r0, float r1, float r2, float r3, float r4, float r5, float none) {
     float rise = min(r2 - r1, r1 - r0), fall = min(r3 - r4, r4 - r5);
     float share = (r3 + fall - r2) / max(rise + fall, 1e-6);

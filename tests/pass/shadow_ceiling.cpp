@@ -28,7 +28,7 @@ struct Sun {
 constexpr Sun SUNS[] = {{0.5, 33, 500}, {3, 117, 300}, {10, 201, 50}, {40, 290, 1}, {85, 63, 0}};
 
 /// A place in the air, from the scene's origin in world axes.
-struct AirPoint3 {
+struct AirPlace {
     glm::dvec3 world{0};
     bool dark = false;
 };
@@ -64,10 +64,10 @@ protected:
         return shader::ceiling_visibility({SIZE, SIZE, texels_.data()}, ceiling, shader::ceiling_place(ceiling, light_of(world)));
     }
     /// Above the ground; one in three stands behind the scene in its shadow's direction, up to 60 km away.
-    std::vector<AirPoint3> air_points() {
+    std::vector<AirPlace> air_points() {
         std::mt19937 random(7);
         std::uniform_real_distribution<double> unit(0, 1);
-        std::vector<AirPoint3> points;
+        std::vector<AirPlace> points;
         glm::dvec3 const away = -glm::normalize(fit_.axes[2]), up = fit_.axes[1];
         while (points.size() < POINTS) {
             glm::dvec3 place = stand_.world({24e3 * (unit(random) - 0.5), 0, 24e3 * (unit(random) - 0.5)});
@@ -81,7 +81,7 @@ protected:
         return points;
     }
     /// Whether a ray to another place of the sun's disc, or one from within a texel across, falls otherwise.
-    bool near_the_edge(AirPoint3 const& point) const {
+    bool near_the_edge(AirPlace const& point) const {
         double const texel = constants_.texel, rim = stand_.planet.sun_angular_radius;
         glm::dvec3 const across = fit_.axes[0], over = glm::cross(across, to_sun_);
         for (int i = 0; i < 16; ++i) {
@@ -94,9 +94,9 @@ protected:
         }
         return false;
     }
-    Agreement agreement(shader::ShadowCeiling const& ceiling, std::vector<AirPoint3> const& points) const {
+    Agreement agreement(shader::ShadowCeiling const& ceiling, std::vector<AirPlace> const& points) const {
         Agreement result;
-        for (AirPoint3 const& point : points) {
+        for (AirPlace const& point : points) {
             result.dark += point.dark;
             if ((visibility(ceiling, point.world) < 0.5) == point.dark) continue;
             ++result.wrong;
@@ -121,7 +121,7 @@ protected:
 TEST_F(ShadowCeilingMap, agrees_with_rays_through_the_terrain) {
     for (Sun const& sun : SUNS) {
         make_map(sun);
-        std::vector<AirPoint3> const points = air_points();
+        std::vector<AirPlace> const points = air_points();
         Agreement const right = agreement(constants_, points);
         EXPECT_GE(right.dark, sun.dark) << sun.elevation;
         EXPECT_LE(right.wrong, POINTS / 200) << sun.elevation;
@@ -134,13 +134,37 @@ TEST_F(ShadowCeilingMap, agrees_with_rays_through_the_terrain) {
     }
 }
 
+// Places on the triangles that face the sun, with the two texels towards it that are passed over.
+TEST_F(ShadowCeilingMap, shades_the_ground_and_not_itself) {
+    for (double const elevation : {3, 10, 40}) {
+        make_map({elevation, 117, 0});
+        std::mt19937 random(7);
+        std::uniform_real_distribution<double> unit(-11e3, 11e3);
+        glm::dvec3 const up = fit_.axes[1];
+        double places = 0, lit = 0, falsely_dark = 0, falsely_lit = 0;
+        while (places < POINTS) {
+            glm::dvec3 const above = stand_.world({unit(random), 0, unit(random)}) + 2e4 * up;
+            GroundPoint const ground = *mesh_.first_hit(above, -up, 1e5, Sides::both);
+            if (glm::dot(ground.facing, to_sun_) < 0.02) continue; // in its own shadow, whatever stands around
+            shader::CeilingPlace const place = shader::ceiling_surface_place(constants_, light_of(ground.position));
+            double const seen = shader::ceiling_visibility({SIZE, SIZE, texels_.data()}, constants_, place);
+            bool const is_lit = !mesh_.occludes(ground.position, to_sun_);
+            ++places, lit += is_lit;
+            (is_lit ? falsely_dark : falsely_lit) += std::abs(seen - (is_lit ? 1 : 0));
+        }
+        // A shadow's edge is off by up to a texel of 66 m on slopes that are kilometres long.
+        EXPECT_LT(falsely_dark, 0.01 * lit) << elevation;
+        EXPECT_LT(falsely_lit, 0.01 * places) << elevation;
+    }
+}
+
 // Filters differ in the last bits of their weights, 1/256 of a texel at worst; the penumbra spreads that over its width.
 TEST_F(ShadowCeilingMap, gives_the_same_on_the_device) {
     make_map({2, 117, 0});
-    std::vector<AirPoint3> const points = air_points();
+    std::vector<AirPlace> const points = air_points();
     constexpr Extent SHAPE{100, POINTS / 100};
     std::vector<glm::vec4> places;
-    for (AirPoint3 const& point : points) places.emplace_back(light_of(point.world), 0);
+    for (AirPlace const& point : points) places.emplace_back(light_of(point.world), 0);
     auto const input = make_float_image(device(), places, SHAPE), map = make_float_image(device(), texels_, {SIZE, SIZE});
     auto const output = make_float_image(device(), places, SHAPE);
     FrameGraph graph;

@@ -36,12 +36,15 @@ AirLayer add_air(FrameGraph& graph, FrameInputs const& in, ConstantsId frame, Ai
                             sampled(AIR_CEILING_SLOT, obstacles.shadow.ceiling),
                             sampled(AIR_SHADOW_BOUNDS_SLOT, obstacles.shadow_bounds, NEAREST_CLAMP)};
     slots.insert(slots.end(), tables.slots.begin(), tables.slots.end());
+    float tolerance = in.settings.shafts == "fast" ? 0.04f : 0.01f;
+    if (getenv("TOL")) tolerance = atof(getenv("TOL"));
+    shader::AirPush const push{stride, tolerance};
     auto const add = [&](std::string name, ShaderCode const& shader, AirLayer const& made, Extent threads, std::vector<Slot> more) {
         more.insert(more.end(), slots.begin(), slots.end());
         more.push_back(stored(AIR_INSCATTERED_SLOT, made.inscattered));
         more.push_back(stored(AIR_TRANSMITTANCE_SLOT, made.transmittance));
         int const variant = in.model.air_variant ? in.model.air_variant(in) : 0;
-        graph.add(ComputePass{std::move(name), shader, std::move(more), threads, bytes_of(shader::AirPush{stride}), variant});
+        graph.add(ComputePass{std::move(name), shader, std::move(more), threads, bytes_of(push), variant});
     };
 
     AirLayer const marched = layer(graph, stride == 1 ? "air_" : "air_coarse_", coarse, sample);

@@ -28,7 +28,8 @@ ImageId add_shadow_ceiling(FrameGraph& graph, FrameInputs const& in) {
     if (!in.ceiling.is_new) return map;
     Extent const size = graph.shape(map).extent;
     ImageId const heights = graph.add_image("terrain_height", {VK_FORMAT_D32_SFLOAT, size}, ShowScale::shadow);
-    graph.add(RasterPass{"terrain_height", {}, false, heights, 1.0f, 0, {constants(FRAME_SLOT, constants_from_above(graph, in))},
+    ConstantsId const above = constants_from_above(graph, in);
+    graph.add(RasterPass{"terrain_height", {}, false, heights, 1.0f, 0, {constants(FRAME_SLOT, above)},
                          [&in](DrawContext& context) { draw_from_above(context, in); }});
     constexpr std::uint32_t PER_GROUP = CEILING_COLUMNS / WORKGROUP_SIZE;
     graph.add(ComputePass{"shadow_ceiling",
