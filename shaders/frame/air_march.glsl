@@ -1,6 +1,6 @@
-// The march from the camera to the surface or out of the air, with the sun's light seen through the shadow cascades.
-// A ray is cut in three: before, inside and behind the span where a mesh can shade the air. The span has half of the
-// samples or all, evenly, fewer where it is short; the rest are placed by altitude. Included by the lighting pass, whose images it reads.
+// The march from the camera to the surface or out of the air, with the shadows that meshes throw into it.
+// A ray is cut in three: before, inside and behind the span where the cascades say what is shaded. The span has half of the
+// samples or all, evenly, fewer where it is short; the rest are placed by altitude. Included by passes whose images it reads.
 #ifndef ALPENGLOW_FRAME_AIR_MARCH
 #define ALPENGLOW_FRAME_AIR_MARCH
 #include "atmosphere/inscattering.glsl"
@@ -63,8 +63,29 @@ DiffuseRun diffuse_run(Atmosphere atmosphere, AirRay ray, float near, float midd
 // no length. Software devices run the body of a loop that tests at its start once more than it turns, all of what is inside it too;
 // and lavapipe (22.3) gives a ray that left a loop early the values of the last turn.
 
-// `n` even cells. Light changes slowly along a ray and shadows fast: each cell has several looks into the cascades.
-AirLight march_shaded(Atmosphere atmosphere, AirRay ray, RayPhases phases, ShaftRay shaft, float entry, Span span, int n, float dither) {
+// Where meshes shade a ray that starts `entry` [m] from the camera. Spans and `shaft` are from the camera on.
+struct Shade {
+    ShaftRay shaft;
+    float entry;
+    Span shaded; // empty: nowhere
+    float dither;
+};
+
+// Of the cells of `march_evenly`. Light changes slowly along a ray and shadows fast: each cell has several looks into the cascades.
+Seen seen_in_even(Shade shade, float begin, float end) {
+    float near = begin + shade.entry, far = end + shade.entry;
+    if ((MARCH_VARIANT & MARCH_EXACT) != 0) return Seen(air_visibility(shade.shaft.light * mix(near, far, shade.dither)), 0.0);
+    return seen_near(shade.shaft, near, far, shade.dither);
+}
+
+// Of the cells around them.
+Seen seen_around(Shade shade, float begin, float end) {
+    if ((MARCH_VARIANT & (MARCH_EXACT | MARCH_NO_SHAFTS)) != 0) return Seen(1.0, 0.0);
+    return seen_beyond(shade.shaft, shade.shaded, begin + shade.entry, end + shade.entry, shade.dither);
+}
+
+// `n` even cells.
+AirLight march_evenly(Atmosphere atmosphere, AirRay ray, RayPhases phases, Shade shade, Span span, int n) {
     AirLight result = no_air_light();
     float size = (span.end - span.begin) / float(max(n, 1));
     int i = 0;
@@ -76,7 +97,7 @@ AirLight march_shaded(Atmosphere atmosphere, AirRay ray, RayPhases phases, Shaft
         do {
             float begin = span.begin + float(min(i, next)) * size, cell_size = i < next ? size : 0.0;
             MarchCell cell = MarchCell(begin, begin + 0.5 * cell_size, begin + cell_size);
-            Seen seen = seen_between(shaft, begin + entry, begin + entry + cell_size, dither);
+            Seen seen = seen_in_even(shade, begin, begin + cell_size);
             add_air_cell(result, atmosphere, phases, ray, cell, run, (float(i - first) + 0.5) * per_cell, per_cell, seen, edge);
             ++i;
         } while (subgroupAny(i < next));
@@ -85,16 +106,16 @@ AirLight march_shaded(Atmosphere atmosphere, AirRay ray, RayPhases phases, Shaft
     return result;
 }
 
-// A stretch with cells placed by altitude and nothing in the sun's way but the planet.
-struct ClearStretch {
+// A stretch with cells placed by altitude.
+struct Placed {
     MarchCells cells;
     int count;
 };
 
 // One stretch, then `between`, then another.
-AirLight march_around(Atmosphere atmosphere, AirRay ray, RayPhases phases, ClearStretch before, AirLight between, ClearStretch behind) {
+AirLight march_around(Atmosphere atmosphere, AirRay ray, RayPhases phases, Shade shade, Placed before, AirLight between, Placed behind) {
     AirLight result = no_air_light();
-    ClearStretch stretch = before;
+    Placed stretch = before;
     bool passed = before.count == 0; // what lies between
     if (passed) {
         result = between;
@@ -111,7 +132,8 @@ AirLight march_around(Atmosphere atmosphere, AirRay ray, RayPhases phases, Clear
             MarchCell cell = march_cell_from(stretch.cells, from, i, n);
             if (i >= next) cell = MarchCell(from, from, from);
             from = cell.end;
-            add_air_cell(result, atmosphere, phases, ray, cell, run, (float(i - first) + 0.5) * per_cell, per_cell, Seen(1.0, 0.0), edge);
+            Seen seen = seen_around(shade, cell.begin, cell.end);
+            add_air_cell(result, atmosphere, phases, ray, cell, run, (float(i - first) + 0.5) * per_cell, per_cell, seen, edge);
             ++i;
         } while (subgroupAny(i < next));
         i = next;
@@ -161,29 +183,33 @@ AirLight march_air(ivec2 pixel, AirRay from_camera, vec3 light, float distance) 
     if (end <= 0.0 || (entry > 0.0 && closest_altitude(from_camera) >= frame.atmosphere.top_altitude)) return no_air_light();
 
     RayPhases phases = phases_of(frame.atmosphere, ray.nu);
-    bool shafts = (MARCH_VARIANT & MARCH_NO_SHAFTS) == 0;
-    Span shaded = Span(0.0, 0.0);
-    if (shafts) shaded = shaded_span(ray, light, entry, end);
+    bool shafts = (MARCH_VARIANT & MARCH_NO_SHAFTS) == 0, exact = (MARCH_VARIANT & MARCH_EXACT) != 0;
+    Shade shade = Shade(make_shaft_ray(light), entry, Span(0.0, 0.0), 0.5);
+    if ((frame.flags & FRAME_MARCH_DITHER) != 0) shade.dither = gradient_noise(vec2(pixel) + 5.588238 * float(frame.sample_index));
+    Span even = Span(0.0, 0.0);
+    if (shafts) {
+        even = shaded_span(ray, light, entry, end);
+        shade.shaded = moved(even, entry);
+        if (!exact) even = crossed(even, moved(shade.shaft.near, -entry));
+    }
     int inside = 0, rest = frame.samples;
-    if (shaded.end > shaded.begin) {
-        bool whole = shaded.end - shaded.begin > 0.98 * end;
-        if (whole) shaded = Span(0.0, end);
-        inside = whole ? frame.samples : shaded_samples(atmosphere, ray, shaded);
+    if (even.end > even.begin) {
+        bool whole = even.end - even.begin > 0.98 * end;
+        if (whole) even = Span(0.0, end);
+        inside = whole ? frame.samples : shaded_samples(atmosphere, ray, even);
         rest = frame.samples - inside;
-        if (frame.exact_cells > 0) {
+        if (exact) {
             inside = frame.exact_cells;
             rest = whole ? 0 : frame.samples;
         }
     }
-    if (inside == 0) shaded = Span(end, end);
-    float dither = 0.5;
-    if ((frame.flags & FRAME_MARCH_DITHER) != 0) dither = gradient_noise(vec2(pixel) + 5.588238 * float(frame.sample_index));
+    if (inside == 0) even = Span(end, end);
     AirLight between = no_air_light();
-    if (shafts) between = march_shaded(atmosphere, ray, phases, make_shaft_ray(light), entry, shaded, inside, dither);
+    if (shafts) between = march_evenly(atmosphere, ray, phases, shade, even, inside);
 
-    MarchCells first = make_march_cells(atmosphere, ray, 0.0, shaded.begin), second = make_march_cells(atmosphere, ray, shaded.end, end);
+    MarchCells first = make_march_cells(atmosphere, ray, 0.0, even.begin), second = make_march_cells(atmosphere, ray, even.end, end);
     int before = rest > 0 ? cells_before(first, second, rest) : 0;
-    AirLight result = march_around(atmosphere, ray, phases, ClearStretch(first, before), between, ClearStretch(second, rest - before));
+    AirLight result = march_around(atmosphere, ray, phases, shade, Placed(first, before), between, Placed(second, rest - before));
     if (distance < 0.0) result.transmittance = celestial_transmittance(ray, end, result.transmittance);
     return result;
 }

@@ -18,6 +18,8 @@ struct Span {
 
 Span crossed(Span a, Span b) { return Span(max(a.begin, b.begin), min(a.end, b.end)); }
 
+Span moved(Span span, float by) { return Span(span.begin + by, span.end + by); }
+
 // Where a line a + b t lies between 0 and 1.
 Span unit_span(float a, float b) {
     float slope = abs(b) < 1e-20 ? 1e-20 : b;
@@ -86,43 +88,41 @@ float look(Stretch stretch, float x) {
     return shadow_look(vec4(at.xy, stretch.layer, clamp(at.z, 0.0, 1.0)));
 }
 
-// Where the last cascade fades and beyond: how far inside of it, and in the ceiling.
-float look_beyond(Stretch stretch, ShaftRay ray, float distance, float x) {
-    vec3 light = ray.light * distance;
-    float in_ceiling = ceiling_visibility(ceiling_map, frame.ceiling, ceiling_place(frame.ceiling, light));
-    return handed_over(look(stretch, x), in_ceiling, inside_cascade(cascade_uv(frame.cascades[MOST_CASCADES - 1], light.xy)));
-}
-
 void add_look(inout Seen seen, float v, float x) {
     seen.mean += v;
     seen.slope += v * (x - 0.5);
 }
 
-// Of the stretch between two distances [m] from the camera, by `frame.shaft_looks` at even places, each at the share `dither` of its
-// part. Stretches that are lit or dark as a whole cost one look. Those that reach to where the last cascade fades, which need more
-// for each look, have a loop of their own.
-Seen seen_between(ShaftRay ray, float begin, float end, float dither) {
+// Of a stretch between two distances [m] from the camera before the last cascade fades, by `frame.shaft_looks` at even places, each at
+// the share `dither` of its part. Stretches that are lit or dark as a whole cost one look.
+Seen seen_near(ShaftRay ray, float begin, float end, float dither) {
     Stretch stretch = stretch_between(ray, begin, end);
     vec2 bounds = bounds_around(stretch);
     float z0 = clamp(stretch.from.z, 0.0, 1.0), z1 = clamp(stretch.from.z + stretch.along.z, 0.0, 1.0);
     bool lit = max(z0, z1) <= bounds.x, dark = min(z0, z1) > bounds.y;
-    bool near = holds(ray.near, begin, end);
-    int looks = near && (lit || dark) ? 1 : frame.shaft_looks;
-
-    float part = 1.0 / float(looks), x = dither * part;
-    Seen seen = Seen(0.0, 0.0), beyond = seen;
+    float part = 1.0 / float(frame.shaft_looks), x = dither * part;
+    Seen seen = Seen(0.0, 0.0);
     int i = 0;
     do {
-        add_look(seen, look(stretch, x + part * float(i)), x + part * float(i));
-    } while (subgroupAny(near && ++i < looks));
-    i = 0;
+        add_look(seen, look(stretch, x), x);
+        x += part;
+    } while (subgroupAny(!lit && !dark && ++i < frame.shaft_looks));
+    if (lit || dark) return Seen(lit ? 1.0 : 0.0, 0.0);
+    return Seen(seen.mean * part, seen.slope * part);
+}
+
+// The same where the last cascade fades and beyond it. `shaded`: where on the ray meshes can shade it.
+Seen seen_beyond(ShaftRay ray, Span shaded, float begin, float end, float dither) {
+    bool lit = end <= shaded.begin || begin >= shaded.end;
+    float part = 1.0 / float(frame.shaft_looks), x = dither * part;
+    Seen seen = Seen(0.0, 0.0);
+    int i = 0;
     do {
-        float at = x + part * float(i);
-        add_look(beyond, look_beyond(stretch, ray, mix(begin, end, at), at), at);
-    } while (subgroupAny(!near && ++i < looks));
-    if (lit && near) return Seen(1.0, 0.0);
-    if (dark && near) return Seen(0.0, 0.0);
-    return near ? Seen(seen.mean * part, seen.slope * part) : Seen(beyond.mean * part, beyond.slope * part);
+        add_look(seen, last_visibility(ray.light * mix(begin, end, x)), x);
+        x += part;
+    } while (subgroupAny(!lit && ++i < frame.shaft_looks));
+    if (lit) return Seen(1.0, 0.0);
+    return Seen(seen.mean * part, seen.slope * part);
 }
 
 #endif

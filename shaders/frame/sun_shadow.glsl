@@ -60,12 +60,21 @@ float handed_over(float in_cascade, float in_ceiling, float last_inside) {
     return mix(in_ceiling, in_cascade, clamp(last_inside / frame.shadow_fade, 0.0, 1.0));
 }
 
-// 1 where the sun reaches a place in the air, 0 in shadow. `light`: in the sun's frame, from the camera [m].
-float air_visibility(vec3 light) {
-    CascadePlace place = choose_cascade(light.xy, 0.004, 0.0);
+float seen_at(CascadePlace place, vec3 light) {
     float lit = shadow_look(vec4(place.uv, place.layer, light_depth(light.z)));
     float in_ceiling = ceiling_visibility(ceiling_map, frame.ceiling, ceiling_place(frame.ceiling, light));
     return handed_over(lit, in_ceiling, place.last_inside);
+}
+
+// 1 where the sun reaches a place in the air, 0 in shadow. `light`: in the sun's frame, from the camera [m].
+float air_visibility(vec3 light) { return seen_at(choose_cascade(light.xy, 0.004, 0.0), light); }
+
+// The same by the last cascade alone.
+float last_visibility(vec3 light) {
+    Cascade last = frame.cascades[MOST_CASCADES - 1];
+    CascadePlace place = place_in(last, float(frame.cascade_count - 1), cascade_uv(last, light.xy));
+    place.last_inside = place.inside;
+    return seen_at(place, light);
 }
 
 // Texture coordinates and depth in a cascade of a surface that is moved out along its normal by as much as the filter reaches at its

@@ -106,7 +106,7 @@ std::vector<Slot> model_slots(FrameGraph& graph, AirTableInputs const& inputs) {
 
 int air_variant(FrameInputs const& in) {
     bool const shafts = (in.constants.front().flags & FRAME_SHAFTS) != 0;
-    return (in.settings.multiple_scattering ? 0 : MARCH_ONE_ORDER) | (shafts ? 0 : MARCH_NO_SHAFTS);
+    return (in.settings.multiple_scattering ? 0 : MARCH_ONE_ORDER) | (!shafts ? MARCH_NO_SHAFTS : in.settings.shafts == "exact" ? MARCH_EXACT : 0);
 }
 
 int air_stride(Settings const& settings) {

@@ -8,6 +8,7 @@
 
 // Variants, added up; 0 has everything. Constants, since software devices run both sides of a branch.
 #define MARCH_ONE_ORDER 1 // only light scattered once
-#define MARCH_NO_SHAFTS 2 // samples don't look into the cascades
+#define MARCH_NO_SHAFTS 2 // no mesh shades the air
+#define MARCH_EXACT 4     // shafts by even cells with one look each
 
 #endif
