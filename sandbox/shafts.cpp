@@ -39,7 +39,7 @@ void measure_view(Stage& stage, ShaftCase const& given, ShaftsOptions const& opt
 
 std::string introduction(ShaftsOptions const& options, Device const& device) {
     std::string words = "alpenglow shafts";
-    for (fs::path const& view : options.views) words += " " + view.string();
+    for (fs::path const& view : options.views) words += fmt::format(" {}", view.string());
     for (Override const& o : options.overrides) words += fmt::format(" --set {}={}", o.name, o.value);
     return fmt::format("`{} --document {}`, {:%Y-%m-%d}, {} ({}), {}x{}.\n", words, options.document->string(),
                        fmt::gmtime(std::chrono::system_clock::now()), device.name(), device.driver(),
