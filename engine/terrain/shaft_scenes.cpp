@@ -105,7 +105,7 @@ GltfWriter gates() {
     return mesh.gltf("gates", STONE);
 }
 
-/// A slab over the ground, 960 m wide, with holes of many sizes: rows of slabs with gaps between strips without any.
+/// A hall, 960 m wide and open in the west, whose roof has holes of many sizes.
 GltfWriter roof() {
     constexpr float BOTTOM = 130, TOP = 133, HALF = 480, ROW = 40;
     BlockMesh mesh;
@@ -119,6 +119,10 @@ GltfWriter roof() {
             z = end + some(8, 24, 43, hole);
         }
     }
+    constexpr float WALL = 4;
+    mesh.add_box({HALF, BELOW, -HALF}, {HALF + WALL, TOP, HALF});
+    mesh.add_box({-HALF, BELOW, HALF}, {HALF, TOP, HALF + WALL});
+    mesh.add_box({-HALF, BELOW, -HALF - WALL}, {HALF, TOP, -HALF});
     return mesh.gltf("roof", STONE);
 }
 

@@ -1,0 +1,45 @@
+#include "sandbox/shaft_error.h"
+#include "support/files.h"
+
+#include <gtest/gtest.h>
+
+using namespace alpenglow;
+
+namespace {
+
+constexpr Extent SIZE{320, 180};
+
+/// What docs/shafts.md promises of shafts=default on every scene of shafts.
+constexpr double MOST_FLIP = 0.006, MOST_MASKED = 0.015, MOST_RMSE = 0.005, MOST_P999 = 0.03;
+
+class ShaftQuality : public testing::TestWithParam<char const*> {
+protected:
+    ShaftQuality() {
+        View const view = load_view(test::assets() / "views/shafts" / (std::string(GetParam()) + ".json"));
+        case_ = make_shaft_case(stage_, view, SIZE);
+    }
+    ShaftError error_of(ShaftLevel const& level) {
+        return shaft_error(draw_shafts(stage_, case_.view, level, SIZE, 0).radiance, case_);
+    }
+    Stage stage_{DrawOptions{}};
+    ShaftCase case_;
+};
+
+} // namespace
+
+TEST_P(ShaftQuality, default_is_close_to_exact) {
+    ShaftError const error = error_of({"default", {{"shafts", "default"}}});
+    EXPECT_LE(error.flip, MOST_FLIP);
+    EXPECT_LE(error.masked_flip.value(), MOST_MASKED);
+    EXPECT_LE(error.rmse, MOST_RMSE);
+    EXPECT_LE(error.p999, MOST_P999);
+}
+
+/// Without this the bounds above would say nothing of shafts.
+TEST_P(ShaftQuality, no_shafts_and_twenty_steps_are_clearly_bad) {
+    EXPECT_GE(error_of(no_shafts()).masked_flip.value(), 3 * MOST_MASKED);
+    EXPECT_GE(error_of(even_steps(20)).masked_flip.value(), 3 * MOST_MASKED);
+}
+
+INSTANTIATE_TEST_SUITE_P(Views, ShaftQuality, testing::Values("gates", "valley"),
+                         [](auto const& view) { return std::string(view.param); });
