@@ -11,7 +11,7 @@ namespace alpenglow {
 namespace {
 
 constexpr int EXACT_CLEAR_SHARE_PERCENT = 8; ///< cells where nothing shades the air, for each exact one: 64 for 800
-constexpr int FAST_LOOKS = 8, DEFAULT_LOOKS = 16; ///< into the cascades for each of the march's cells: docs/shafts.md
+constexpr int FAST_LOOKS = 8, DEFAULT_LOOKS = 24; ///< into the cascades for each of the march's cells: docs/shafts.md
 
 glm::mat4 view_clip(Camera const& camera, Extent extent, glm::dvec2 const& jitter) {
     double const scale = 1.0 / std::tan(0.5 * camera.vertical_fov);
@@ -72,7 +72,6 @@ void set_samples(shader::FrameConstants& frame, Settings const& settings) {
     bool const exact = settings.shafts == "exact" && (frame.flags & FRAME_SHAFTS) != 0;
     frame.samples = exact ? std::max(settings.exact_steps * EXACT_CLEAR_SHARE_PERCENT / 100, 16) : settings.samples;
     frame.exact_cells = exact ? settings.exact_steps : 0;
-    if (getenv("LOOKS")) { frame.shaft_looks = exact ? 1 : atoi(getenv("LOOKS")); return; }
     frame.shaft_looks = exact ? 1 : settings.shafts == "fast" ? FAST_LOOKS : DEFAULT_LOOKS;
 }
 

@@ -1,6 +1,6 @@
 // The march from the camera to the surface or out of the air, with the shadows that meshes throw into it.
-// A ray is cut in three: before, inside and behind the span where the cascades say what is shaded. The span has half of the
-// samples or all, evenly, fewer where it is short; the rest are placed by altitude. Included by passes whose images it reads.
+// A ray is cut in three: before, inside and behind the span where the cascades say what is shaded. Inside it has half as many cells as
+// there are samples, evenly, fewer where it is short; around it as many as there are samples, placed by altitude. Included by passes whose images it reads.
 #ifndef ALPENGLOW_FRAME_AIR_MARCH
 #define ALPENGLOW_FRAME_AIR_MARCH
 #include "atmosphere/inscattering.glsl"
@@ -164,8 +164,8 @@ vec3 celestial_transmittance(AirRay ray, float end, vec3 marched) {
 
 const float FULL_DEPTH = 0.016; // tuned: the extinction along 500 m of clear air near the ground
 
-// Samples for the stretch that meshes can shade: half of all, and fewer where its optical depth is below FULL_DEPTH. No shadow
-// shows in a few metres of air, and samples that the rest of the ray lacks would show as an edge in the sky.
+// Cells for the stretch that the cascades shade: half as many as samples, and fewer where its optical depth is below FULL_DEPTH: no
+// shadow shows in a few metres of air.
 int shaded_samples(Atmosphere atmosphere, AirRay ray, Span shaded) {
     float lowest = min(altitude_at(ray, shaded.begin), altitude_at(ray, shaded.end));
     vec3 extinction = medium_at(atmosphere, lowest).extinction;
@@ -196,12 +196,8 @@ AirLight march_air(ivec2 pixel, AirRay from_camera, vec3 light, float distance) 
     if (even.end > even.begin) {
         bool whole = even.end - even.begin > 0.98 * end;
         if (whole) even = Span(0.0, end);
-        inside = whole ? frame.samples : shaded_samples(atmosphere, ray, even);
-        rest = frame.samples - inside;
-        if (exact) {
-            inside = frame.exact_cells;
-            rest = whole ? 0 : frame.samples;
-        }
+        inside = exact ? frame.exact_cells : whole ? frame.samples : shaded_samples(atmosphere, ray, even);
+        if (whole) rest = 0;
     }
     if (inside == 0) even = Span(end, end);
     AirLight between = no_air_light();

@@ -7,6 +7,9 @@ namespace alpenglow {
 
 namespace {
 
+/// What interpolated light may be off by, as a share of the air's light or of what is behind it: docs/shafts.md.
+constexpr float TOLERANCE = 0.01f, FAST_TOLERANCE = 0.05f;
+
 AirLayer layer(FrameGraph& graph, std::string const& name, Extent extent, int sample) {
     if (sample > 0) return {graph.find(name + "inscattered"), graph.find(name + "transmittance")};
     ImageShape const shape{VK_FORMAT_R32G32B32A32_SFLOAT, extent};
@@ -36,9 +39,7 @@ AirLayer add_air(FrameGraph& graph, FrameInputs const& in, ConstantsId frame, Ai
                             sampled(AIR_CEILING_SLOT, obstacles.shadow.ceiling),
                             sampled(AIR_SHADOW_BOUNDS_SLOT, obstacles.shadow_bounds, NEAREST_CLAMP)};
     slots.insert(slots.end(), tables.slots.begin(), tables.slots.end());
-    float tolerance = in.settings.shafts == "fast" ? 0.04f : 0.01f;
-    if (getenv("TOL")) tolerance = atof(getenv("TOL"));
-    shader::AirPush const push{stride, tolerance};
+    shader::AirPush const push{stride, in.settings.shafts == "fast" ? FAST_TOLERANCE : TOLERANCE};
     auto const add = [&](std::string name, ShaderCode const& shader, AirLayer const& made, Extent threads, std::vector<Slot> more) {
         more.insert(more.end(), slots.begin(), slots.end());
         more.push_back(stored(AIR_INSCATTERED_SLOT, made.inscattered));
