@@ -20,8 +20,8 @@ struct Settings {
     std::string air_without{};       ///< components of the planet's air that are left out
     std::string air_phases{};        ///< phases other than the planet's, NAME=PHASE
     int samples = 32;                ///< march samples for each pixel, 4 to 1024
-    std::string shafts = "default";  ///< shadows in the air: off | fast | default | exact
     int exact_steps = 800;           ///< of shafts "exact" where the air can be shaded
+    std::string shafts = "default";  ///< shadows in the air: off | fast | default | exact
     std::string air_stride = "auto"; ///< [pixels] from one marched ray to the next: auto | 1 | 2 | 4
     bool multiple_scattering = true; ///< light scattered more than once
     bool spread_tables = false;      ///< over frames; else a picture is of finished tables

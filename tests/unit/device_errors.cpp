@@ -14,7 +14,7 @@ DeviceAbilities able() {
     abilities.graphics_queue = abilities.subgroup_votes = true;
     abilities.vulkan13.dynamicRendering = abilities.vulkan13.synchronization2 = abilities.vulkan13.maintenance4 = VK_TRUE;
     abilities.vulkan12.scalarBlockLayout = VK_TRUE;
-    abilities.features.features.depthClamp = VK_TRUE;
+    abilities.features.features.depthClamp = abilities.features.features.shaderStorageImageExtendedFormats = VK_TRUE;
     abilities.extensions = {VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME, VK_KHR_SWAPCHAIN_EXTENSION_NAME};
     return abilities;
 }
@@ -62,6 +62,8 @@ TEST(DeviceAbilities, each_one_that_is_missing_is_named) {
         {"maintenance4", [](DeviceAbilities& a) { a.vulkan13.maintenance4 = VK_FALSE; }},
         {"scalarBlockLayout", [](DeviceAbilities& a) { a.vulkan12.scalarBlockLayout = VK_FALSE; }},
         {"depthClamp", [](DeviceAbilities& a) { a.features.features.depthClamp = VK_FALSE; }},
+        {"shaderStorageImageExtendedFormats",
+         [](DeviceAbilities& a) { a.features.features.shaderStorageImageExtendedFormats = VK_FALSE; }},
         {"subgroup votes", [](DeviceAbilities& a) { a.subgroup_votes = false; }},
         {"VK_KHR_push_descriptor", [](DeviceAbilities& a) { a.extensions = {VK_KHR_SWAPCHAIN_EXTENSION_NAME}; }},
         {"VK_KHR_swapchain", [](DeviceAbilities& a) { a.extensions = {VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME}; }},
