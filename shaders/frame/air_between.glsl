@@ -78,11 +78,12 @@ float depth_change(vec4 corners, vec2 share, float depth, float through) {
 
 // The light at a share of the cell whose surface has that depth. `error` over 1: not good enough.
 AirLight air_between(CoarseCell cell, vec2 share, float depth, float faint, out float error) {
-    AirLight air = AirLight(between(cell.inscattered, share), between(cell.transmittance, share));
+    // A bow over a steep edge can lead below 0.
+    AirLight air = AirLight(max(between(cell.inscattered, share), vec3(0.0)), max(between(cell.transmittance, share), vec3(0.0)));
     float bright = max(luminance(air.inscattered), faint);
     float doubt = max(largest(cell.inscattered.doubt) / bright, largest(cell.transmittance.doubt));
 
-    float through = clamp(luminance(air.transmittance), 0.0, 0.9999);
+    float through = clamp(luminance(air.transmittance), 1e-4, 0.9999); // 0 to the power of 0 is no number
     float off = depth_change(cell.depth, share, depth, through);
     doubt = max(doubt, off * max(luminance(air.inscattered) / (bright * (1.0 - through)), 1.0));
     error = doubt / push.tolerance;
