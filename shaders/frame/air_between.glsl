@@ -1,4 +1,5 @@
-// The air's light between pixels whose light is known, and how far off that may be. Included by the pass `air_repair`, whose `push` it reads.
+// The air's light between pixels whose light is known, and how far off that may be. Included by the pass `air_repair`, whose
+// `push` it reads.
 #ifndef ALPENGLOW_FRAME_AIR_BETWEEN
 #define ALPENGLOW_FRAME_AIR_BETWEEN
 #include "atmosphere/segment_integral.glsl"
@@ -69,7 +70,8 @@ float change(float through, float depth, float other) { return abs(pow(through, 
 
 // The same for a pixel's depth in place of those at the corners: where they are one surface, in place of its plane's, which is linear.
 float depth_change(vec4 corners, vec2 share, float depth, float through) {
-    float nearest = max(max(corners.x, corners.y), max(corners.z, corners.w)), farthest = min(min(corners.x, corners.y), min(corners.z, corners.w));
+    float nearest = max(max(corners.x, corners.y), max(corners.z, corners.w));
+    float farthest = min(min(corners.x, corners.y), min(corners.z, corners.w));
     float plane = mix(mix(corners.x, corners.y, share.x), mix(corners.z, corners.w, share.x), share.y);
     if (depth == 0.0 && nearest == 0.0) return 0.0;
     if (nearest < ONE_SURFACE * farthest) return change(through, depth, plane);

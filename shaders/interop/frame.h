@@ -14,7 +14,7 @@
 
 // Flags
 #define FRAME_AIR 1                 // march the air
-#define FRAME_SHAFTS 2              // march samples look into the cascades
+#define FRAME_SHAFTS 2              // meshes shade the air
 #define FRAME_SHADOWS 4
 #define FRAME_MARCH_DITHER 8
 #define FRAME_SUN_DISC 16

@@ -40,7 +40,8 @@ AirLayer add_air(FrameGraph& graph, FrameInputs const& in, ConstantsId frame, Ai
                             sampled(AIR_SHADOW_BOUNDS_SLOT, obstacles.shadow_bounds, NEAREST_CLAMP)};
     slots.insert(slots.end(), tables.slots.begin(), tables.slots.end());
     shader::AirPush const push{stride, in.settings.shafts == "fast" ? FAST_TOLERANCE : TOLERANCE};
-    auto const add = [&](std::string name, ShaderCode const& shader, AirLayer const& made, Extent threads, std::vector<Slot> more) {
+    auto const add = [&](std::string name, ShaderCode const& shader, AirLayer const& made, Extent threads,
+                         std::vector<Slot> more) {
         more.insert(more.end(), slots.begin(), slots.end());
         more.push_back(stored(AIR_INSCATTERED_SLOT, made.inscattered));
         more.push_back(stored(AIR_TRANSMITTANCE_SLOT, made.transmittance));
