@@ -67,8 +67,11 @@ constexpr std::array ROWS = {
     KeyRow{"0", "automatic exposure on, off", '0', 0,
            [](KeyTarget& t, int, bool) { flip(t.pilot.settings().auto_exposure); }},
     KeyRow{"1", "air on, off", '1', 0, [](KeyTarget& t, int, bool) { flip(t.pilot.settings().air); }},
-    KeyRow{"2", "light shafts on, off", '2', 0, [](KeyTarget& t, int, bool) { std::string& shafts = t.pilot.settings().shafts;
-            shafts = shafts == "off" ? "default" : "off"; }},
+    KeyRow{"2", "light shafts on, off", '2', 0,
+           [](KeyTarget& t, int, bool) {
+               std::string& shafts = t.pilot.settings().shafts;
+               shafts = shafts == "off" ? "default" : "off";
+           }},
     KeyRow{"3", "shadows on, off", '3', 0, [](KeyTarget& t, int, bool) { flip(t.pilot.settings().shadows); }},
     KeyRow{"4", "antialiasing filter on, off", '4', 0, flip_post_aa},
     KeyRow{"M", "the next model of the air (Shift: the one before)", 'M', 0,

@@ -40,12 +40,10 @@ struct ShaftRay {
     Span near;                    // by the last one before it fades
 };
 
-const float EDGE = 0.004; // of a cascade's half width: no look of a stretch inside leaves it
-
 ShaftRay make_shaft_ray(vec3 light) {
     ShaftRay ray;
     ray.light = light;
-    for (int i = 0; i < MOST_CASCADES - 1; ++i) ray.held[i] = span_inside(frame.cascades[i], light, EDGE);
+    for (int i = 0; i < MOST_CASCADES - 1; ++i) ray.held[i] = span_inside(frame.cascades[i], light, AIR_MARGIN);
     ray.near = span_inside(frame.cascades[MOST_CASCADES - 1], light, frame.shadow_fade);
     return ray;
 }
@@ -74,7 +72,7 @@ Stretch stretch_between(ShaftRay ray, float begin, float end) {
 
 // Least and greatest depth of the texels of a stretch.
 vec2 bounds_around(Stretch stretch) {
-    int size = textureSize(shadow_cascades, 0).x, side = textureSize(shadow_bounds, 0).x * 2 / 3;
+    int size = textureSize(shadow_cascades, 0).x, side = bounds_side(textureSize(shadow_bounds, 0).x);
     vec2 a = stretch.from.xy, b = stretch.from.xy + stretch.along.xy;
     ivec2 low = ivec2(clamp(min(a, b), 0.0, 1.0) * float(size) - 0.01), high = ivec2(clamp(max(a, b), 0.0, 1.0) * float(size) + 0.01);
     int extent = max(high.x - low.x, high.y - low.y);

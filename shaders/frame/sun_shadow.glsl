@@ -66,8 +66,10 @@ float seen_at(CascadePlace place, vec3 light) {
     return handed_over(lit, in_ceiling, place.last_inside);
 }
 
+const float AIR_MARGIN = 0.004; // of a cascade's half width: nothing that the air's looks touch lies outside
+
 // 1 where the sun reaches a place in the air, 0 in shadow. `light`: in the sun's frame, from the camera [m].
-float air_visibility(vec3 light) { return seen_at(choose_cascade(light.xy, 0.004, 0.0), light); }
+float air_visibility(vec3 light) { return seen_at(choose_cascade(light.xy, AIR_MARGIN, 0.0), light); }
 
 // The same by the last cascade alone.
 float last_visibility(vec3 light) {

@@ -27,6 +27,10 @@ INLINE ivec2 bounds_origin(int side, int level, int cascade) {
     return ivec2(level > 0 ? side : 0, cascade * side + y);
 }
 
+// The image's width for so many blocks along a side of level 0, and back.
+INLINE int bounds_width(int side) { return side + (side + 1) / 2; }
+INLINE int bounds_side(int width) { return width * 2 / 3; }
+
 // Least and greatest of both.
 INLINE vec2 joined(vec2 a, vec2 b) { return vec2(min(a.x, b.x), max(a.y, b.y)); }
 SHADER_NAMESPACE_END

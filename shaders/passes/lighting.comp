@@ -1,7 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
-#extension GL_KHR_shader_subgroup_vote : require
 #include "interop/frame_block.glsl"
 #include "atmosphere/transmittance.glsl"
 #include "encoding/color.glsl"

@@ -13,7 +13,7 @@ int level_of_row(int side, int row) { return findMSB(side) - findMSB(max(side - 
 void main() {
     ivec2 texel = ivec2(gl_GlobalInvocationID.xy), size = textureSize(blocks, 0);
     if (any(greaterThanEqual(texel, size))) return;
-    int side = size.x - size.x / 3, cascade = texel.y / side;
+    int side = bounds_side(size.x), cascade = texel.y / side;
     int level = texel.x < side ? 0 : level_of_row(side, texel.y - cascade * side);
     ivec2 last = bounds_origin(side, level, cascade) + (side >> level) - 1;
     ivec2 next = min(texel + 1, max(last, texel));

@@ -18,16 +18,8 @@ protected:
         settings_ = plain_settings();
         settings_.cascade_size = 1024;
     }
-    /// 0 in shadow, 1 in the sun, for each pixel.
     std::vector<double> visibility(Camera const& camera, glm::dvec3 const& to_sun, Settings const& settings) {
-        World const world = stand_.view(camera, to_sun);
-        FloatImage const on = radiance(world, settings, EXTENT);
-        Settings off = settings;
-        off.shadows = false;
-        FloatImage const lit = radiance(world, off, EXTENT);
-        std::vector<double> result;
-        for (std::size_t i = 0; i < EXTENT.pixels(); ++i) result.push_back(on.rgba[4 * i] / lit.rgba[4 * i]);
-        return result;
+        return RenderTest::visibility(stand_.view(camera, to_sun), settings, EXTENT);
     }
     glm::dvec3 in_scene(glm::dvec3 const& world) const { return glm::dvec3(glm::inverse(stand_.world_from_scene()) * glm::dvec4(world, 1)); }
 

@@ -28,16 +28,8 @@ protected:
         double const fov = 2 * std::atan(0.5 * width / HEIGHT * EXTENT.height / EXTENT.width);
         return stand_.camera({east, HEIGHT, z}, {east, 0, z}, fov, {std::sin(turn), 0, -std::cos(turn)});
     }
-    /// 0 in shadow, 1 in the sun, for each pixel.
     std::vector<double> visibility(Camera const& camera, glm::dvec3 const& to_sun) {
-        World const world = stand_.view(camera, to_sun);
-        FloatImage const on = radiance(world, settings_, EXTENT);
-        Settings off = settings_;
-        off.shadows = false;
-        FloatImage const lit = radiance(world, off, EXTENT);
-        std::vector<double> result;
-        for (std::size_t i = 0; i < EXTENT.pixels(); ++i) result.push_back(on.rgba[4 * i] / lit.rgba[4 * i]);
-        return result;
+        return RenderTest::visibility(stand_.view(camera, to_sun), settings_, EXTENT);
     }
     /// Where a pixel's ray meets the plane, in the scene's frame.
     glm::dvec3 on_plane(Camera const& camera, double x, double y) const {

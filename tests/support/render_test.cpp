@@ -70,6 +70,15 @@ FloatImage RenderTest::radiance(World const& world, Settings const& settings, Ex
     return renderer().radiance();
 }
 
+std::vector<double> RenderTest::visibility(World const& world, Settings settings, Extent extent) {
+    FloatImage const shaded = radiance(world, settings, extent);
+    settings.shadows = false;
+    FloatImage const lit = radiance(world, settings, extent);
+    std::vector<double> result;
+    for (std::size_t i = 0; i < extent.pixels(); ++i) result.push_back(shaded.rgba[4 * i] / lit.rgba[4 * i]);
+    return result;
+}
+
 ByteImage RenderTest::picture(World const& world, Settings const& settings, Extent extent) {
     renderer().draw(world, settings, extent);
     return renderer().picture();

@@ -43,6 +43,8 @@ protected:
     void SetUp() override;
 
     FloatImage radiance(World const& world, Settings const& settings, Extent extent);
+    /// How much of the sun each pixel's surface sees, 0 to 1, by a picture without shadows.
+    std::vector<double> visibility(World const& world, Settings settings, Extent extent);
     ByteImage picture(World const& world, Settings const& settings, Extent extent);
 };
 

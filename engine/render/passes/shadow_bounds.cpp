@@ -12,7 +12,7 @@ namespace {
 ImageId add_shadow_blocks(FrameGraph& graph, ImageId cascades) {
     ImageShape const shadow = graph.shape(cascades);
     std::uint32_t const side = std::bit_ceil((shadow.extent.width + SHADOW_BLOCK - 1) / SHADOW_BLOCK);
-    Extent const size{side + (side + 1) / 2, side * shadow.layers};
+    Extent const size{static_cast<std::uint32_t>(shader::bounds_width(static_cast<int>(side))), side * shadow.layers};
     ImageId const blocks = graph.add_image("shadow_blocks", {VK_FORMAT_R32G32_SFLOAT, size}, ShowScale::unit);
     for (int level = 0; side >> level > 0; ++level) {
         graph.add(ComputePass{"shadow_blocks",
