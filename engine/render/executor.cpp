@@ -1,6 +1,7 @@
 #include "render/executor.h"
 
 #include "core/error.h"
+#include "interop/work_list.h"
 
 #include <algorithm>
 #include <chrono>
@@ -25,7 +26,7 @@ Extent workgroups(ComputePass const& pass) {
 
 std::uint64_t workgroups(FrameGraph::Pass const& pass) {
     ComputePass const* const compute = std::get_if<ComputePass>(&pass.work);
-    return compute ? workgroups(*compute).pixels() : 0;
+    return compute && !worked_off(*compute) ? workgroups(*compute).pixels() : 0;
 }
 
 VkImageUsageFlags transient_usage(ImageShape const& shape) {
@@ -55,12 +56,13 @@ std::vector<SlotLayout> layout_of(std::vector<Slot> const& slots) {
     return result;
 }
 
-/// lavapipe runs a dispatch at once, but a timestamp behind raster passes only when it next waits for them: without a
-/// wait, a dispatch lies between two timestamps that are taken together.
-void settle_timestamp(VkCommandBuffer commands) {
+/// Everything after it waits for everything before it and sees what that wrote.
+void full_barrier(VkCommandBuffer commands) {
     VkMemoryBarrier2 barrier{};
     barrier.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2;
     barrier.srcStageMask = barrier.dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+    barrier.srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT;
+    barrier.dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT;
     VkDependencyInfo info{};
     info.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
     info.memoryBarrierCount = 1;
@@ -85,6 +87,7 @@ struct Executor::Recording {
     InFlight& slot;
     FrameGraph const& graph;
     std::vector<GpuImage*> images;
+    std::vector<GpuBuffer*> work_lists;
     VkCommandBuffer commands() const { return slot.commands; }
 };
 
@@ -203,10 +206,38 @@ std::vector<GpuImage*> Executor::resolve_images(FrameGraph const& graph) {
     return images;
 }
 
+std::vector<GpuBuffer*> Executor::resolve_work_lists(FrameGraph const& graph) {
+    std::vector<GpuBuffer*> lists;
+    for (FrameGraph::WorkList const& list : graph.work_lists()) {
+        VkDeviceSize const bytes = sizeof(shader::WorkListHead) + sizeof(std::uint32_t) * list.capacity;
+        std::unique_ptr<GpuBuffer>& kept = work_lists_[list.name];
+        if (!kept || kept->bytes() < bytes) {
+            if (kept) wait();
+            VkBufferUsageFlags const usage =
+                VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+            kept = std::make_unique<GpuBuffer>(device_, bytes, usage, BufferHome::device, list.name);
+        }
+        lists.push_back(kept.get());
+    }
+    return lists;
+}
+
+/// Before a pass that fills lists or works them off.
+void Executor::prepare_work_lists(Recording& recording, ComputePass const& pass) {
+    for (Slot const& slot : pass.slots) {
+        if (!slot.list) continue;
+        full_barrier(recording.commands());
+        if (slot.use != ImageUse::storage_write) continue;
+        shader::WorkListHead const empty{0, 1, 1, 0};
+        vkCmdUpdateBuffer(recording.commands(), recording.work_lists[slot.list.index]->handle(), 0, sizeof(empty), &empty);
+        full_barrier(recording.commands());
+    }
+}
+
 void Executor::submit(FrameGraph const& graph, PresentSync const& sync) {
     if (graph.passes().size() > MOST_PASSES) throw GraphError("a frame has more passes than timers");
     InFlight& slot = next_slot();
-    Recording recording{slot, graph, resolve_images(graph)};
+    Recording recording{slot, graph, resolve_images(graph), resolve_work_lists(graph)};
     upload_constants(slot, graph);
 
     std::vector<PlannedImage> planned;
@@ -229,7 +260,9 @@ void Executor::submit(FrameGraph const& graph, PresentSync const& sync) {
         record_barriers_of(recording, frame_plan.barriers[i]);
         std::uint32_t const query = 2 * static_cast<std::uint32_t>(i);
         vkCmdWriteTimestamp2(slot.commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, slot.queries, query);
-        if (device_.is_software()) settle_timestamp(slot.commands);
+        // lavapipe runs a dispatch at once, but a timestamp behind raster passes only when it next waits for them: without
+        // a wait, a dispatch lies between two timestamps that are taken together.
+        if (device_.is_software()) full_barrier(slot.commands);
         std::visit([&](auto const& work) { record(recording, work); }, pass.work);
         vkCmdWriteTimestamp2(slot.commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, slot.queries, query + 1);
         device_.end_label(slot.commands);
@@ -293,6 +326,10 @@ void Executor::push_slots(Recording& recording, VkPipelineBindPoint point, VkPip
                           recording.graph.constant_blocks()[block].size()};
             continue;
         }
+        if (slot.type == VK_DESCRIPTOR_TYPE_STORAGE_BUFFER) {
+            buffers[i] = {recording.work_lists[slot.list.index]->handle(), 0, VK_WHOLE_SIZE};
+            continue;
+        }
         GpuImage const& image = *recording.images[slot.image.index];
         images[i].imageView = slot.as_array ? image.array_view() : image.view();
         images[i].imageLayout = state_of(slot.use).layout;
@@ -308,11 +345,16 @@ void Executor::record(Recording& recording, ComputePass const& pass) {
     specialization.insert(specialization.end(), of_frame.begin(), of_frame.end());
     Pipeline const& pipeline = pipelines_.compute(pass.shader, layout_of(pass.slots), specialization);
     VkCommandBuffer const commands = recording.commands();
+    prepare_work_lists(recording, pass);
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.handle());
     push_slots(recording, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.layout(), pass.slots);
     if (!pass.push.empty()) {
         vkCmdPushConstants(commands, pipeline.layout(), VK_SHADER_STAGE_COMPUTE_BIT, 0,
                            static_cast<std::uint32_t>(pass.push.size()), pass.push.data());
+    }
+    if (WorkListId const list = worked_off(pass)) {
+        vkCmdDispatchIndirect(commands, recording.work_lists[list.index]->handle(), 0);
+        return;
     }
     Extent const groups = workgroups(pass);
     vkCmdDispatch(commands, groups.width, groups.height, 1);

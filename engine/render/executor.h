@@ -43,6 +43,8 @@ private:
     void collect(InFlight& slot);
     void upload_constants(InFlight& slot, FrameGraph const& graph);
     std::vector<GpuImage*> resolve_images(FrameGraph const& graph);
+    std::vector<GpuBuffer*> resolve_work_lists(FrameGraph const& graph);
+    void prepare_work_lists(Recording& recording, ComputePass const& pass);
     void record_barriers_of(Recording& recording, std::vector<PlannedBarrier> const& barriers);
     void record(Recording& recording, ComputePass const& pass);
     void record(Recording& recording, RasterPass const& pass);
@@ -57,6 +59,7 @@ private:
     std::vector<std::unique_ptr<InFlight>> slots_;
     std::size_t next_ = 0;
     std::map<std::string, std::unique_ptr<GpuImage>> transients_;
+    std::map<std::string, std::unique_ptr<GpuBuffer>> work_lists_;
     std::vector<PassTime> timings_;
 };
 

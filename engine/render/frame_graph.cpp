@@ -17,7 +17,7 @@ void refuse_repeated_slots(std::string const& pass, std::vector<Slot> const& slo
 
 void add_slot_accesses(std::vector<ImageAccess>& accesses, std::vector<Slot> const& slots) {
     for (Slot const& slot : slots) {
-        if (slot.type != VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER) accesses.push_back({slot.image, slot.use});
+        if (slot.image) accesses.push_back({slot.image, slot.use});
     }
 }
 
@@ -39,6 +39,13 @@ PlannedPass planned(std::string const& name, RasterPass const& pass) {
 
 } // namespace
 
+WorkListId worked_off(ComputePass const& pass) {
+    for (Slot const& slot : pass.slots) {
+        if (slot.list && slot.use == ImageUse::sample) return slot.list;
+    }
+    return {};
+}
+
 ImageId FrameGraph::add_image(std::string name, ImageShape const& shape, ShowScale scale) {
     if (find(name)) throw GraphError("two images are called " + name);
     images_.push_back({std::move(name), shape, scale, nullptr, false});
@@ -52,6 +59,22 @@ ImageId FrameGraph::import(GpuImage& image, std::string name, ShowScale scale, b
     return id;
 }
 
+WorkListId FrameGraph::add_work_list(std::string name, std::size_t capacity) {
+    work_lists_.push_back({std::move(name), capacity});
+    return {static_cast<std::uint32_t>(work_lists_.size() - 1)};
+}
+
+void FrameGraph::note_work(ComputePass const& pass) {
+    for (Slot const& slot : pass.slots) {
+        if (!slot.list) continue;
+        WorkList& list = work_lists_.at(slot.list.index);
+        if (slot.use == ImageUse::storage_write)
+            list.filled = true;
+        else if (!list.filled)
+            throw GraphError("pass " + pass.name + " works off " + list.name + ", which nobody filled");
+    }
+}
+
 ConstantsId FrameGraph::add_constant_bytes(std::vector<std::byte> bytes) {
     constants_.push_back(std::move(bytes));
     return {static_cast<std::uint32_t>(constants_.size() - 1)};
@@ -59,6 +82,7 @@ ConstantsId FrameGraph::add_constant_bytes(std::vector<std::byte> bytes) {
 
 void FrameGraph::add(ComputePass pass) {
     refuse_repeated_slots(pass.name, pass.slots);
+    note_work(pass);
     std::string name = pass.name;
     passes_.push_back({std::move(name), std::move(pass)});
 }

@@ -33,7 +33,13 @@ struct ConstantsId {
     std::uint32_t index = ~0u;
 };
 
-/// What a pass binds to a slot of set 0. Made by `sampled`, `stored`, `updated` and `constants`.
+/// A list of work that one pass fills and a later one does, an invocation for each entry: interop/work_list.h.
+struct WorkListId {
+    std::uint32_t index = ~0u;
+    explicit operator bool() const { return index != ~0u; }
+};
+
+/// What a pass binds to a slot of set 0. Made by `sampled`, `stored`, `updated`, `constants`, `fills` and `works_off`.
 struct Slot {
     std::uint32_t slot = 0;
     VkDescriptorType type = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
@@ -42,6 +48,7 @@ struct Slot {
     SamplerState sampler;
     ConstantsId constants;
     bool as_array = false;
+    WorkListId list = {};
 };
 
 inline Slot sampled(std::uint32_t slot, ImageId image, SamplerState const& sampler = LINEAR_CLAMP) {
@@ -61,6 +68,13 @@ inline Slot updated(std::uint32_t slot, ImageId image) {
 inline Slot constants(std::uint32_t slot, ConstantsId id) {
     return {slot, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, {}, ImageUse::sample, {}, id, false};
 }
+/// The list is emptied before the pass.
+inline Slot fills(std::uint32_t slot, WorkListId list) {
+    return {slot, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, {}, ImageUse::storage_write, {}, {}, false, list};
+}
+inline Slot works_off(std::uint32_t slot, WorkListId list) {
+    return {slot, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, {}, ImageUse::sample, {}, {}, false, list};
+}
 
 template <typename T>
 std::vector<std::byte> bytes_of(T const& value) {
@@ -74,10 +88,13 @@ struct ComputePass {
     std::string name;
     ShaderCode shader;
     std::vector<Slot> slots;
-    Extent threads;
+    Extent threads;                   ///< of no meaning where a slot `works_off` a list: that says how many
     std::vector<std::byte> push = {}; ///< push constants, at most PUSH_CONSTANT_BYTES
     int variant = 0;                  ///< specialization constant 0, where the shader has one
 };
+
+/// The list that a pass works off, if any.
+WorkListId worked_off(ComputePass const& pass);
 
 /// What a raster pass draws with.
 class DrawContext {
@@ -111,6 +128,11 @@ public:
         GpuImage* imported = nullptr;
         bool has_content = false;
     };
+    struct WorkList {
+        std::string name;
+        std::size_t capacity; ///< entries
+        bool filled = false;
+    };
     struct Pass {
         std::string name;
         std::variant<ComputePass, RasterPass> work;
@@ -120,6 +142,8 @@ public:
     ImageId add_image(std::string name, ImageShape const& shape, ShowScale scale);
     /// Outlives the frame. `has_content`: somebody filled it before.
     ImageId import(GpuImage& image, std::string name, ShowScale scale, bool has_content);
+    /// Lives for this frame.
+    WorkListId add_work_list(std::string name, std::size_t capacity);
     template <typename T>
     ConstantsId add_constants(T const& value) { return add_constant_bytes(bytes_of(value)); }
 
@@ -136,6 +160,7 @@ public:
     ImageId find(std::string_view name) const;
 
     std::vector<Image> const& images() const { return images_; }
+    std::vector<WorkList> const& work_lists() const { return work_lists_; }
     std::vector<Pass> const& passes() const { return passes_; }
     std::vector<std::vector<std::byte>> const& constant_blocks() const { return constants_; }
     std::vector<std::int32_t> const& specialization() const { return specialization_; }
@@ -147,7 +172,10 @@ public:
 private:
     ConstantsId add_constant_bytes(std::vector<std::byte> bytes);
 
+    void note_work(ComputePass const& pass);
+
     std::vector<Image> images_;
+    std::vector<WorkList> work_lists_;
     std::vector<Pass> passes_;
     std::vector<std::vector<std::byte>> constants_;
     std::vector<std::int32_t> specialization_;

@@ -1,4 +1,5 @@
-// Pass `air`: what the air in front of each pixel, or of one in so many, adds and lets through. Pass `air_repair`: the pixels between.
+// Pass `air`: what the air in front of each pixel, or of one in so many, adds and lets through. Passes `air_fill` and `air_repair`:
+// of twice as many each way, by interpolation, and by marching where that will not do.
 #ifndef ALPENGLOW_INTEROP_AIR_H
 #define ALPENGLOW_INTEROP_AIR_H
 #include "interop/air_model.h"
@@ -12,17 +13,16 @@
 #define AIR_SHADOW_BOUNDS_SLOT 7         // in: interop/shadow_bounds.h
 #define AIR_CEILING_SLOT 8               // in: interop/shadow_ceiling.h
 
-// air_repair, in: texel (i, j) holds pixel (i, j) * stride
+// air_fill, in: with half as many texels each way
 #define AIR_COARSE_INSCATTERED_SLOT 5
 #define AIR_COARSE_TRANSMITTANCE_SLOT 6
 
-#define AIR_REPAIR_THREADS 32 // of a workgroup, which mends a square tile of pixels
-#define AIR_REPAIR_TILE 32    // [pixels]
+#define AIR_WORK_SLOT 9                  // texels that air_fill leaves to air_repair: x and y, 16 bits each
 
 SHADER_NAMESPACE_BEGIN
 struct AirPush {
-    int stride;      // [pixels] from one marched pixel to the next
-    float tolerance; // air_repair: of the air's light, and of what is behind it
+    int stride;      // [pixels] from one texel to the next: texel (i, j) holds pixel (i, j) * stride
+    float tolerance; // air_fill: of the air's light, and of what is behind it
 };
 SHADER_NAMESPACE_END
 #endif

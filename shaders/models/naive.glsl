@@ -3,7 +3,6 @@
 // planet's own; both marches tile their way, with cells placed by altitude (even ones are 10 to 40 % off).
 #include "atmosphere/inscattering.glsl"
 #include "frame/air_model.glsl"
-#include "frame/sun_shadow.glsl"
 
 // What the air and the planet let through of the sun at distance t [m] of a ray inside the air, marched in n cells.
 vec3 march_to_sun(Atmosphere atmosphere, AirRay ray, float t, int n) {
@@ -26,6 +25,8 @@ vec3 march_to_sun(Atmosphere atmosphere, AirRay ray, float t, int n) {
 }
 
 #ifdef LIGHT_OF_RAYS
+#include "frame/sun_shadow.glsl"
+
 AirLight air_light(ViewRay view) {
     Atmosphere atmosphere = frame.atmosphere;
     float entry;

@@ -1,6 +1,7 @@
 #include "render/passes/air.h"
 
 #include "interop/air.h"
+#include "interop/work_list.h"
 #include "render/models/model.h"
 
 namespace alpenglow {
@@ -10,53 +11,82 @@ namespace {
 /// What interpolated light may be off by, as a share of the air's light or of what is behind it: docs/shafts.md.
 constexpr float TOLERANCE = 0.01f, FAST_TOLERANCE = 0.05f;
 
-AirLayer layer(FrameGraph& graph, std::string const& name, Extent extent, int sample) {
-    if (sample > 0) return {graph.find(name + "inscattered"), graph.find(name + "transmittance")};
-    ImageShape const shape{VK_FORMAT_R32G32B32A32_SFLOAT, extent};
-    return {graph.add_image(name + "inscattered", shape, ShowScale::radiance),
-            graph.add_image(name + "transmittance", shape, ShowScale::unit)};
-}
+constexpr std::size_t WORK_LIST_MOST = std::size_t{WORK_LIST_MOST_GROUPS} * WORK_LIST_THREADS;
 
 /// Texels whose pixels reach to the picture's end or beyond.
-std::uint32_t coarse_side(std::uint32_t side, int stride) {
-    return stride == 1 ? side : (side - 1) / static_cast<std::uint32_t>(stride) + 2;
+std::uint32_t side_of(std::uint32_t pixels, int stride) {
+    return stride == 1 ? pixels : (pixels - 1) / static_cast<std::uint32_t>(stride) + 2;
 }
 
-std::uint32_t repair_threads(std::uint32_t side) {
-    return (side + AIR_REPAIR_TILE - 1) / AIR_REPAIR_TILE * WORKGROUP_SIZE;
-}
+class AirPasses {
+public:
+    AirPasses(FrameGraph& graph, FrameInputs const& in, ConstantsId frame, AirTables const& tables, int sample)
+        : graph_(graph), in_(in), sample_(sample), any_((in.constants.front().flags & FRAME_AIR) != 0),
+          slots_{constants(FRAME_SLOT, frame)} {
+        slots_.insert(slots_.end(), tables.slots.begin(), tables.slots.end());
+    }
+
+    AirLayer add(AirObstacles const& obstacles) {
+        int stride = any_ && in_.model.air_stride ? in_.model.air_stride(in_.settings) : 1;
+        slots_.push_back(sampled(AIR_DEPTH_SLOT, obstacles.depth, NEAREST_CLAMP));
+        std::vector<Slot> const shades{sampled_array(AIR_SHADOW_SLOT, obstacles.shadow.cascades, NEAREST_CLAMP),
+                                       sampled(AIR_CEILING_SLOT, obstacles.shadow.ceiling),
+                                       sampled(AIR_SHADOW_BOUNDS_SLOT, obstacles.shadow_bounds, NEAREST_CLAMP)};
+        AirLayer layer = add_layer(stride);
+        add_pass("air", in_.model.air, layer, shades, ImageUse::storage_write, stride);
+        for (; stride > 1; stride /= 2) layer = add_between(layer, shades, stride / 2);
+        return layer;
+    }
+
+private:
+    Extent extent(int stride) const {
+        return any_ ? Extent{side_of(in_.extent.width, stride), side_of(in_.extent.height, stride)} : Extent{1, 1};
+    }
+
+    AirLayer add_layer(int stride) {
+        std::string const name = stride == 1 ? "air_" : "air_coarse_" + std::to_string(stride) + "_";
+        if (sample_ > 0) return {graph_.find(name + "inscattered"), graph_.find(name + "transmittance")};
+        ImageShape const shape{VK_FORMAT_R32G32B32A32_SFLOAT, extent(stride)};
+        return {graph_.add_image(name + "inscattered", shape, ShowScale::radiance),
+                graph_.add_image(name + "transmittance", shape, ShowScale::unit)};
+    }
+
+    AirLayer add_between(AirLayer const& coarse, std::vector<Slot> shades, int stride) {
+        AirLayer const made = add_layer(stride);
+        std::size_t const texels = std::min<std::size_t>(extent(stride).pixels(), WORK_LIST_MOST);
+        WorkListId const list = graph_.add_work_list("air_work_" + std::to_string(stride), texels);
+        add_pass("air_fill", in_.model.air_fill, made,
+                 {fills(AIR_WORK_SLOT, list), sampled(AIR_COARSE_INSCATTERED_SLOT, coarse.inscattered, NEAREST_CLAMP),
+                  sampled(AIR_COARSE_TRANSMITTANCE_SLOT, coarse.transmittance, NEAREST_CLAMP)},
+                 ImageUse::storage_write, stride);
+        shades.push_back(works_off(AIR_WORK_SLOT, list));
+        add_pass("air_repair", in_.model.air_repair, made, shades, ImageUse::storage_update, stride);
+        return made;
+    }
+
+    void add_pass(std::string name, ShaderCode const& shader, AirLayer const& made, std::vector<Slot> slots, ImageUse use,
+                  int stride) {
+        auto const out = use == ImageUse::storage_update ? updated : stored;
+        slots.insert(slots.end(), slots_.begin(), slots_.end());
+        slots.push_back(out(AIR_INSCATTERED_SLOT, made.inscattered));
+        slots.push_back(out(AIR_TRANSMITTANCE_SLOT, made.transmittance));
+        int const variant = in_.model.air_variant ? in_.model.air_variant(in_) : 0;
+        shader::AirPush const push{stride, in_.settings.shafts == "fast" ? FAST_TOLERANCE : TOLERANCE};
+        graph_.add(ComputePass{std::move(name), shader, std::move(slots), extent(stride), bytes_of(push), variant});
+    }
+
+    FrameGraph& graph_;
+    FrameInputs const& in_;
+    int sample_;
+    bool any_;
+    std::vector<Slot> slots_; ///< of all passes
+};
 
 } // namespace
 
 AirLayer add_air(FrameGraph& graph, FrameInputs const& in, ConstantsId frame, AirObstacles const& obstacles,
                  AirTables const& tables, int sample) {
-    bool const any = (in.constants.front().flags & FRAME_AIR) != 0;
-    int const stride = any && in.model.air_stride ? in.model.air_stride(in.settings) : 1;
-    Extent const extent = any ? in.extent : Extent{1, 1};
-    Extent const coarse{coarse_side(extent.width, stride), coarse_side(extent.height, stride)};
-    std::vector<Slot> slots{constants(FRAME_SLOT, frame), sampled(AIR_DEPTH_SLOT, obstacles.depth, NEAREST_CLAMP),
-                            sampled_array(AIR_SHADOW_SLOT, obstacles.shadow.cascades, NEAREST_CLAMP),
-                            sampled(AIR_CEILING_SLOT, obstacles.shadow.ceiling),
-                            sampled(AIR_SHADOW_BOUNDS_SLOT, obstacles.shadow_bounds, NEAREST_CLAMP)};
-    slots.insert(slots.end(), tables.slots.begin(), tables.slots.end());
-    shader::AirPush const push{stride, in.settings.shafts == "fast" ? FAST_TOLERANCE : TOLERANCE};
-    auto const add = [&](std::string name, ShaderCode const& shader, AirLayer const& made, Extent threads,
-                         std::vector<Slot> more) {
-        more.insert(more.end(), slots.begin(), slots.end());
-        more.push_back(stored(AIR_INSCATTERED_SLOT, made.inscattered));
-        more.push_back(stored(AIR_TRANSMITTANCE_SLOT, made.transmittance));
-        int const variant = in.model.air_variant ? in.model.air_variant(in) : 0;
-        graph.add(ComputePass{std::move(name), shader, std::move(more), threads, bytes_of(push), variant});
-    };
-
-    AirLayer const marched = layer(graph, stride == 1 ? "air_" : "air_coarse_", coarse, sample);
-    add("air", in.model.air, marched, coarse, {});
-    if (stride == 1) return marched;
-    AirLayer const whole = layer(graph, "air_", extent, sample);
-    add("air_repair", in.model.air_repair, whole, {repair_threads(extent.width), repair_threads(extent.height)},
-        {sampled(AIR_COARSE_INSCATTERED_SLOT, marched.inscattered, NEAREST_CLAMP),
-         sampled(AIR_COARSE_TRANSMITTANCE_SLOT, marched.transmittance, NEAREST_CLAMP)});
-    return whole;
+    return AirPasses(graph, in, frame, tables, sample).add(obstacles);
 }
 
 } // namespace alpenglow

@@ -1,0 +1,18 @@
+// A list of work that one pass fills and a later one works off, an invocation for each entry: software devices run both sides of
+// a branch, and a list is how they are spared what only a few pixels want.
+#ifndef ALPENGLOW_INTEROP_WORK_LIST_H
+#define ALPENGLOW_INTEROP_WORK_LIST_H
+#include "interop/language.h"
+
+#define WORK_LIST_THREADS 128      // local_size_x of the pass that works it off
+#define WORK_LIST_MOST_GROUPS 65535 // in a row, on any device
+
+SHADER_NAMESPACE_BEGIN
+struct WorkListHead {
+    uint groups_x, groups_y, groups_z; // as vkCmdDispatchIndirect takes them
+    uint count;                        // entries follow
+};
+CHECK_SIZE(WorkListHead, 16);
+SHADER_NAMESPACE_END
+
+#endif
