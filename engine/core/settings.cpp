@@ -32,9 +32,11 @@ constexpr std::array TABLE{
                 .help = "light shafts, and their quality: docs/shafts.md"},
     SettingInfo{.name = "exact_steps", .member = &Settings::exact_steps, .smallest = 4, .largest = 6400,
                 .help = "with shafts=exact: even steps of each pixel's ray where meshes can shade the air"},
+    SettingInfo{.name = "soft_shafts", .member = &Settings::soft_shafts,
+                .help = "shafts have the penumbra of the sun's disc; off: of a point, but for shadows beyond shadow_reach"},
     SettingInfo{.name = "air_stride", .member = &Settings::air_stride, .choices = "auto|1|2|4", .unit = "pixels",
                 .help = "from one marched ray to the next; between them the air is interpolated where it is smooth, and "
-                        "marched where it is not. auto: 1 with shafts=exact, 4 with fast, else 2"},
+                        "marched where it is not. auto: 1 with shafts=exact, else 4"},
     SettingInfo{.name = "multiple_scattering", .member = &Settings::multiple_scattering,
                 .help = "light that the air scatters more than once"},
     SettingInfo{.name = "spread_tables", .member = &Settings::spread_tables,

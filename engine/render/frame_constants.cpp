@@ -6,12 +6,14 @@
 #include <array>
 #include <cmath>
 
+#include <glm/ext/scalar_constants.hpp>
+
 namespace alpenglow {
 
 namespace {
 
 constexpr int EXACT_CLEAR_SHARE_PERCENT = 8; ///< cells where nothing shades the air, for each exact one: 64 for 800
-constexpr int FAST_LOOKS = 8, DEFAULT_LOOKS = 24; ///< into the cascades for each of the march's cells: docs/shafts.md
+constexpr int FAST_LOOKS = 8, DEFAULT_LOOKS = 24, EXACT_LOOKS = 8; ///< into the cascades for each of the march's cells: docs/shafts.md
 
 glm::mat4 view_clip(Camera const& camera, Extent extent, glm::dvec2 const& jitter) {
     double const scale = 1.0 / std::tan(0.5 * camera.vertical_fov);
@@ -68,11 +70,22 @@ int flags_of(World const& world, Settings const& settings, bool cascades) {
     return flags;
 }
 
+/// Where the disc's share up to it is `share`: across, of its radius.
+double across_disc(double share) {
+    double low = -1, high = 1;
+    while (high - low > 1e-6) {
+        double const middle = 0.5 * (low + high);
+        double const area = 0.5 + (middle * std::sqrt(1 - middle * middle) + std::asin(middle)) / glm::pi<double>();
+        (area < share ? low : high) = middle;
+    }
+    return low;
+}
+
 void set_samples(shader::FrameConstants& frame, Settings const& settings) {
     bool const exact = settings.shafts == "exact" && (frame.flags & FRAME_SHAFTS) != 0;
     frame.samples = exact ? std::max(settings.exact_steps * EXACT_CLEAR_SHARE_PERCENT / 100, 16) : settings.samples;
     frame.exact_cells = exact ? settings.exact_steps : 0;
-    frame.shaft_looks = exact ? 1 : settings.shafts == "fast" ? FAST_LOOKS : DEFAULT_LOOKS;
+    frame.shaft_looks = exact ? EXACT_LOOKS : settings.shafts == "fast" ? FAST_LOOKS : DEFAULT_LOOKS;
 }
 
 } // namespace
@@ -121,6 +134,7 @@ shader::FrameConstants make_frame_constants(World const& world, Settings const& 
     frame.pixel_angle = static_cast<float>(2.0 * ty / size.y);
     frame.flags = flags_of(world, settings, !shadow.cascades.empty());
     set_samples(frame, settings);
+    for (int i = 0; i < DISC_SLICES; ++i) frame.disc_across[i] = static_cast<float>(across_disc((i + 0.5) / DISC_SLICES));
     frame.sample_index = sample_index;
     return frame;
 }

@@ -7,8 +7,6 @@
 #include "encoding/color.glsl"
 #include "frame/shafts.glsl"
 
-layout(constant_id = 0) const int MARCH_VARIANT = 0;
-
 // Where the ray lies below an altitude: one stretch, since a sphere is convex.
 Span span_below(AirRay ray, float altitude) {
     if (ray.altitude <= altitude) return Span(0.0, distance_out_of(ray, altitude));
@@ -72,10 +70,10 @@ struct Shade {
 };
 
 // Of the cells of `march_evenly`. Light changes slowly along a ray and shadows fast: each cell has several looks into the cascades.
-Seen seen_in_even(Shade shade, float begin, float end) {
+Seen seen_in_even(Shade shade, float begin, float end, int number) {
     float near = begin + shade.entry, far = end + shade.entry;
-    if ((MARCH_VARIANT & MARCH_EXACT) != 0) return Seen(air_visibility(shade.shaft.light * mix(near, far, shade.dither)), 0.0);
-    return seen_near(shade.shaft, near, far, shade.dither);
+    if ((MARCH_VARIANT & MARCH_EXACT) != 0) return Seen(seen_at_place(shade.shaft, near, far, shade.dither, number), 0.0);
+    return seen_near(shade.shaft, near, far, shade.dither, number);
 }
 
 // Of the cells around them.
@@ -97,7 +95,7 @@ AirLight march_evenly(Atmosphere atmosphere, AirRay ray, RayPhases phases, Shade
         do {
             float begin = span.begin + float(min(i, next)) * size, cell_size = i < next ? size : 0.0;
             MarchCell cell = MarchCell(begin, begin + 0.5 * cell_size, begin + cell_size);
-            Seen seen = seen_in_even(shade, begin, begin + cell_size);
+            Seen seen = seen_in_even(shade, begin, begin + cell_size, i);
             add_air_cell(result, atmosphere, phases, ray, cell, run, (float(i - first) + 0.5) * per_cell, per_cell, seen, edge);
             ++i;
         } while (subgroupAny(i < next));

@@ -2,6 +2,7 @@
 // `shadow_cascades` and `shadow_bounds`.
 #ifndef ALPENGLOW_FRAME_SHAFTS
 #define ALPENGLOW_FRAME_SHAFTS
+#include "frame/march_variant.glsl"
 #include "frame/sun_shadow.glsl"
 #include "interop/shadow_bounds.h"
 
@@ -54,6 +55,7 @@ bool holds(Span span, float begin, float end) { return span.begin <= begin && en
 struct Stretch {
     vec3 from, along;
     float layer;
+    float blur; // by how much the sun's disc moves a look [texture coordinates], for each unit of depth from what casts the shadow
 };
 
 // In the finest cascade that holds it; else in the last.
@@ -67,22 +69,46 @@ Stretch stretch_between(ShaftRay ray, float begin, float end) {
     stretch.from = vec3(cascade.offset, frame.light_depth.y) + begin * slope;
     stretch.along = (end - begin) * slope;
     stretch.layer = float(min(index, frame.cascade_count - 1));
+    stretch.blur = frame.ceiling.sun_tangent * cascade.scale / frame.light_depth.x;
     return stretch;
 }
 
-// Least and greatest depth of the texels of a stretch.
-vec2 bounds_around(Stretch stretch) {
+const bool SOFT_SUN = (MARCH_VARIANT & MARCH_SOFT_SUN) != 0; // otherwise a point
+const float MOST_BLUR = 16.0; // [texels] by which a look is moved: wider penumbras end there
+
+float most_blur() { return SOFT_SUN ? MOST_BLUR / float(textureSize(shadow_cascades, 0).x) : 0.0; }
+
+// Of a look at a depth [texture coordinates], past what casts a shadow at another.
+float blur_at(Stretch stretch, float depth, float caster) { return clamp((depth - caster) * stretch.blur, 0.0, most_blur()); }
+
+// Least and greatest depth of the texels of a stretch and of those that are nearer to it than `margin` [texture coordinates].
+vec2 bounds_around(Stretch stretch, float margin) {
     int size = textureSize(shadow_cascades, 0).x, side = bounds_side(textureSize(shadow_bounds, 0).x);
     vec2 a = stretch.from.xy, b = stretch.from.xy + stretch.along.xy;
-    ivec2 low = ivec2(clamp(min(a, b), 0.0, 1.0) * float(size) - 0.01), high = ivec2(clamp(max(a, b), 0.0, 1.0) * float(size) + 0.01);
+    ivec2 low = ivec2(clamp(min(a, b) - margin, 0.0, 1.0) * float(size) - 0.01);
+    ivec2 high = ivec2(clamp(max(a, b) + margin, 0.0, 1.0) * float(size) + 0.01);
     int extent = max(high.x - low.x, high.y - low.y);
     int level = clamp(findMSB(extent / SHADOW_BLOCK) + 1, 0, findMSB(side));
     ivec2 block = min(low, ivec2(size - 1)) >> (findMSB(SHADOW_BLOCK) + level);
     return texelFetch(shadow_bounds, bounds_origin(side, level, int(stretch.layer)) + block, 0).rg;
 }
 
-float look(Stretch stretch, float x) {
+// The point of the sun's disc that look `i` of `n` of a cell goes to: with the looks' places in the cell a lattice, which moves on
+// from cell to cell.
+vec2 disc_point(int i, int n, int cell) {
+    float across = frame.disc_across[(5 * i * (DISC_SLICES / n) + 119 * cell) % DISC_SLICES];
+    return vec2(across, sqrt(1.0 - across * across) * (2.0 * fract(0.618034 * float(i + n * cell)) - 1.0));
+}
+
+// A look from the share x of a stretch, in a soft sun to a point of its disc, past what casts a shadow at a depth. What the point's
+// place along the stretch changes is the less the longer it is: `keep`.
+float look(Stretch stretch, float x, float caster, vec2 point, float keep) {
     vec3 at = stretch.from + x * stretch.along;
+    if (SOFT_SUN) {
+        vec2 along = normalize(stretch.along.xy + 1e-12), across = vec2(-along.y, along.x);
+        at.xy += blur_at(stretch, at.z, caster) * (point.x * across + keep * point.y * along);
+        at.xy = clamp(at.xy, 0.0, 1.0 - 1e-6);
+    }
     return shadow_look(vec4(at.xy, stretch.layer, clamp(at.z, 0.0, 1.0)));
 }
 
@@ -93,20 +119,39 @@ void add_look(inout Seen seen, float v, float x) {
 
 // Of a stretch between two distances [m] from the camera before the last cascade fades, by `frame.shaft_looks` at even places, each at
 // the share `dither` of its part. Stretches that are lit or dark as a whole cost one look.
-Seen seen_near(ShaftRay ray, float begin, float end, float dither) {
+Seen seen_near(ShaftRay ray, float begin, float end, float dither, int cell) {
     Stretch stretch = stretch_between(ray, begin, end);
-    vec2 bounds = bounds_around(stretch);
+    float caster = 0.0, blur = 0.0, keep = 0.0;
+    if (SOFT_SUN) {
+        caster = bounds_around(stretch, most_blur()).x;
+        blur = blur_at(stretch, max(stretch.from.z, stretch.from.z + stretch.along.z), caster);
+        keep = min(blur / max(length(stretch.along.xy), 1e-12), 1.0);
+    }
+    vec2 bounds = bounds_around(stretch, blur);
     float z0 = clamp(stretch.from.z, 0.0, 1.0), z1 = clamp(stretch.from.z + stretch.along.z, 0.0, 1.0);
     bool lit = max(z0, z1) <= bounds.x, dark = min(z0, z1) > bounds.y;
     float part = 1.0 / float(frame.shaft_looks), x = dither * part;
     Seen seen = Seen(0.0, 0.0);
     int i = 0;
     do {
-        add_look(seen, look(stretch, x), x);
+        add_look(seen, look(stretch, x, caster, disc_point(i, frame.shaft_looks, cell), keep), x);
         x += part;
     } while (subgroupAny(!lit && !dark && ++i < frame.shaft_looks));
     if (lit || dark) return Seen(lit ? 1.0 : 0.0, 0.0);
     return Seen(seen.mean * part, seen.slope * part);
+}
+
+// The same of the place at a share of it, wherever it is.
+float seen_at_place(ShaftRay ray, float begin, float end, float share, int cell) {
+    vec3 light = ray.light * mix(begin, end, share);
+    if (!SOFT_SUN) return air_visibility(light);
+    Stretch stretch = stretch_between(ray, begin, end);
+    float caster = bounds_around(stretch, most_blur()).x, in_cascade = 0.0, part = 1.0 / float(frame.shaft_looks);
+    int i = 0;
+    do in_cascade += part * look(stretch, share, caster, disc_point(i, frame.shaft_looks, cell), 1.0);
+    while (++i < frame.shaft_looks);
+    float in_ceiling = ceiling_visibility(ceiling_map, frame.ceiling, ceiling_place(frame.ceiling, light));
+    return handed_over(in_cascade, in_ceiling, inside_cascade(cascade_uv(frame.cascades[MOST_CASCADES - 1], light.xy)));
 }
 
 // The same where the last cascade fades and beyond it. `shaded`: where on the ray meshes can shade it.

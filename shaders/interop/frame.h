@@ -7,6 +7,7 @@
 #define FRAME_SLOT 0 // of every pass that takes FrameConstants: uniform buffer
 
 #define MOST_CASCADES 4
+#define DISC_SLICES 192 // a multiple of how often a cell looks into the cascades
 
 // Which matrix a mesh is drawn with: the view's, or that of cascade PROJECTION_CASCADE + i.
 #define PROJECTION_VIEW 0
@@ -70,10 +71,11 @@ struct FrameConstants {
     int flags;
     int samples;                   // of the march
     int shaft_looks;               // into the cascades for each of its cells that a mesh can shade
+    float disc_across[DISC_SLICES]; // middles of slices of the sun's disc of the same area, from side to side, of its radius
     int exact_cells;               // even cells where a mesh can shade the air, beside `samples`; 0: some of the samples
     int sample_index;              // which supersample this is
 };
-CHECK_SIZE(FrameConstants, 1600);
+CHECK_SIZE(FrameConstants, 2368);
 
 SHADER_NAMESPACE_END
 #endif

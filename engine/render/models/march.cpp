@@ -105,14 +105,14 @@ std::vector<Slot> model_slots(FrameGraph& graph, AirTableInputs const& inputs) {
 }
 
 int air_variant(FrameInputs const& in) {
-    bool const shafts = (in.constants.front().flags & FRAME_SHAFTS) != 0;
-    return (in.settings.multiple_scattering ? 0 : MARCH_ONE_ORDER) | (!shafts ? MARCH_NO_SHAFTS : in.settings.shafts == "exact" ? MARCH_EXACT : 0);
+    int const orders = in.settings.multiple_scattering ? 0 : MARCH_ONE_ORDER;
+    if ((in.constants.front().flags & FRAME_SHAFTS) == 0) return orders | MARCH_NO_SHAFTS;
+    return orders | (in.settings.shafts == "exact" ? MARCH_EXACT : 0) | (in.settings.soft_shafts ? MARCH_SOFT_SUN : 0);
 }
 
 int air_stride(Settings const& settings) {
     if (settings.air_stride != "auto") return settings.air_stride == "1" ? 1 : settings.air_stride == "2" ? 2 : 4;
-    if (settings.shafts == "exact") return 1;
-    return settings.shafts == "fast" ? 4 : 2;
+    return settings.shafts == "exact" ? 1 : 4;
 }
 
 } // namespace

@@ -9,7 +9,7 @@ namespace alpenglow {
 namespace {
 
 /// What interpolated light may be off by, as a share of the air's light or of what is behind it: docs/shafts.md.
-constexpr float TOLERANCE = 0.01f, FAST_TOLERANCE = 0.05f;
+constexpr float TOLERANCE = 0.007f, FAST_TOLERANCE = 0.05f;
 
 constexpr std::size_t WORK_LIST_MOST = std::size_t{WORK_LIST_MOST_GROUPS} * WORK_LIST_THREADS;
 

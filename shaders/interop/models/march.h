@@ -10,5 +10,6 @@
 #define MARCH_ONE_ORDER 1 // only light scattered once
 #define MARCH_NO_SHAFTS 2 // no mesh shades the air
 #define MARCH_EXACT 4     // shafts by even cells with one look each
+#define MARCH_SOFT_SUN 8  // shafts of a disc
 
 #endif
