@@ -22,11 +22,11 @@ struct Settings {
     int samples = 32;                ///< march samples for each pixel, 4 to 1024
     int exact_steps = 800;           ///< of shafts "exact" where the air can be shaded
     std::string shafts = "default";  ///< shadows in the air: off | fast | default | exact
-    bool soft_shafts = false;        ///< shadows in the air have the penumbra of the sun's disc
     std::string air_stride = "auto"; ///< [pixels] from one marched ray to the next: auto | 1 | 2 | 4
     bool multiple_scattering = true; ///< light scattered more than once
     bool spread_tables = false;      ///< over frames; else a picture is of finished tables
     bool march_dither = false;       ///< deterministic offset of the march's samples from pixel to pixel
+    bool soft_shafts = false;        ///< shadows in the air have the penumbra of the sun's disc
     bool sun_disc = true;
     bool stars = true;
 

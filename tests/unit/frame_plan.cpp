@@ -126,6 +126,17 @@ TEST(FrameGraph, a_slot_bound_twice_is_refused_by_number) {
     });
 }
 
+TEST(FrameGraph, a_list_of_work_that_nobody_filled_is_refused_by_name) {
+    FrameGraph graph;
+    WorkListId const list = graph.add_work_list("chores", 16);
+    ComputePass const fill{"find", {}, {fills(3, list)}, {1, 1}}, work{"do", {}, {works_off(3, list)}, {1, 1}};
+    expect_graph_error({"do", "chores"}, [&] { graph.add(work); });
+    graph.add(fill);
+    graph.add(work);
+    EXPECT_EQ(worked_off(work).index, list.index);
+    EXPECT_FALSE(worked_off(fill));
+}
+
 TEST(FrameGraph, two_images_of_one_name_are_refused_by_name) {
     FrameGraph graph;
     graph.add_image("depth", {VK_FORMAT_D32_SFLOAT, {8, 8}}, ShowScale::depth);
