@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <functional>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,6 +47,17 @@ std::vector<std::string> missing_abilities(DeviceAbilities const& abilities, boo
 /// Throws Error(device) where Vulkan itself is not there.
 std::vector<DeviceReport> list_devices();
 
+/// Texts that any thread may add to.
+class MessageList {
+public:
+    void add(std::string text);
+    std::vector<std::string> all() const;
+
+private:
+    mutable std::mutex mutex_;
+    std::vector<std::string> texts_;
+};
+
 /// Instance, physical and logical device, its one queue, and what validation said. One at a time in a program.
 class Device {
 public:
@@ -81,8 +93,8 @@ public:
     void run_once(std::function<void(VkCommandBuffer)> const& record) const;
     void wait_idle() const;
 
-    /// Validation messages since the start; tests fail on any.
-    std::vector<std::string> const& messages() const { return messages_; }
+    /// Validation messages since the start, of all threads; tests fail on any.
+    std::vector<std::string> messages() const { return messages_.all(); }
 
 private:
     void make_instance(DeviceOptions const& options);
@@ -105,7 +117,7 @@ private:
     PFN_vkSetDebugUtilsObjectNameEXT set_name_ = nullptr;
     PFN_vkCmdBeginDebugUtilsLabelEXT begin_label_ = nullptr;
     PFN_vkCmdEndDebugUtilsLabelEXT end_label_ = nullptr;
-    std::vector<std::string> messages_;
+    MessageList messages_;
     mutable std::atomic<std::uint64_t> memory_in_use_ = 0, peak_memory_ = 0;
 };
 

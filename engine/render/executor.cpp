@@ -49,12 +49,6 @@ VkRenderingAttachmentInfo attachment(VkImageView view, VkImageLayout layout, boo
     return info;
 }
 
-std::vector<SlotLayout> layout_of(std::vector<Slot> const& slots) {
-    std::vector<SlotLayout> result;
-    for (Slot const& slot : slots) result.push_back({slot.slot, slot.type});
-    return result;
-}
-
 /// lavapipe runs a dispatch at once, but a timestamp behind raster passes only when it next waits for them: without a
 /// wait, a dispatch lies between two timestamps that are taken together.
 void settle_timestamp(VkCommandBuffer commands) {
@@ -89,7 +83,8 @@ struct Executor::Recording {
 };
 
 Executor::Executor(Device const& device, std::uint32_t frames_in_flight)
-    : device_(device), pipelines_(device), samplers_(device) {
+    : device_(device), pipelines_([&device](PipelineRecipe const& recipe) { return make_pipeline(device, recipe); }),
+      samplers_(device) {
     for (std::uint32_t i = 0; i < frames_in_flight; ++i) {
         InFlight& slot = *slots_.emplace_back(std::make_unique<InFlight>());
         VkCommandPoolCreateInfo pool{};
@@ -120,6 +115,12 @@ Executor::~Executor() {
         vkDestroyFence(device_.handle(), slot->fence, nullptr);
         vkDestroyCommandPool(device_.handle(), slot->pool, nullptr);
     }
+}
+
+bool Executor::prepare(FrameGraph const& graph, Need need) {
+    bool all = true;
+    for (PipelineRecipe const& recipe : graph.recipes()) all = pipelines_.prepare(recipe, need) && all;
+    return all;
 }
 
 GpuImage* Executor::transient(std::string const& name) {
@@ -303,10 +304,7 @@ void Executor::push_slots(Recording& recording, VkPipelineBindPoint point, VkPip
 }
 
 void Executor::record(Recording& recording, ComputePass const& pass) {
-    std::vector<std::int32_t> specialization{pass.variant};
-    std::vector<std::int32_t> const& of_frame = recording.graph.specialization();
-    specialization.insert(specialization.end(), of_frame.begin(), of_frame.end());
-    Pipeline const& pipeline = pipelines_.compute(pass.shader, layout_of(pass.slots), specialization);
+    Pipeline const& pipeline = pipelines_.get(recording.graph.recipe(pass));
     VkCommandBuffer const commands = recording.commands();
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.handle());
     push_slots(recording, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.layout(), pass.slots);
@@ -325,10 +323,8 @@ public:
 
     VkCommandBuffer commands() const override { return recording_.commands(); }
 
-    void use(RasterState state) override {
-        for (ImageId color : pass_.colors) state.colors.push_back(recording_.graph.shape(color).format);
-        if (pass_.depth) state.depth = recording_.graph.shape(pass_.depth).format;
-        Pipeline const& pipeline = executor_.pipelines_.raster(state, layout_of(pass_.slots));
+    void use(std::size_t index) override {
+        Pipeline const& pipeline = executor_.pipelines_.get(recording_.graph.recipe(pass_, index));
         layout_ = pipeline.layout();
         vkCmdBindPipeline(commands(), VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline.handle());
         executor_.push_slots(recording_, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_, pass_.slots);
