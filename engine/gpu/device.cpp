@@ -174,6 +174,7 @@ void Device::choose_physical(DeviceOptions const& options) {
     }
     if (!best) throw Error(ErrorKind::device, "no Vulkan device can be used" + refused, {}, advice);
     physical_ = devices[static_cast<std::size_t>(best->index)];
+    index_ = best->index;
     driver_ = best->driver;
     vkGetPhysicalDeviceProperties(physical_, &properties_);
     vkGetPhysicalDeviceMemoryProperties(physical_, &memory_);

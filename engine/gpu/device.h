@@ -12,11 +12,11 @@
 namespace alpenglow {
 
 struct DeviceOptions {
-    std::optional<int> index;                    ///< as `list_devices` counts; nothing: the best one
+    std::optional<int> index{};                  ///< as `list_devices` counts; nothing: the best one
     bool validation = false;                     ///< core and synchronization validation, where the layer is installed
-    std::vector<char const*> instance_extensions; ///< what the window system asks for
+    std::vector<char const*> instance_extensions{}; ///< what the window system asks for
     /// Makes the window's surface; the device must be able to present to it. Empty: headless.
-    std::function<VkSurfaceKHR(VkInstance)> make_surface;
+    std::function<VkSurfaceKHR(VkInstance)> make_surface{};
 };
 
 /// A device of this machine, and whether Alpenglow can run on it.
@@ -58,7 +58,8 @@ private:
     std::vector<std::string> texts_;
 };
 
-/// Instance, physical and logical device, its one queue, and what validation said. One at a time in a program.
+/// Instance, physical and logical device, its one queue, and what validation said. Programs have one, and at most another for a
+/// Rehearsal.
 class Device {
 public:
     explicit Device(DeviceOptions const& options = {});
@@ -73,6 +74,7 @@ public:
     std::uint32_t queue_family() const { return queue_family_; }
     VkSurfaceKHR surface() const { return surface_; }
     VkPhysicalDeviceLimits const& limits() const { return properties_.limits; }
+    int index() const { return index_; } ///< as `list_devices` counts
     std::string name() const { return properties_.deviceName; }
     std::string driver() const { return driver_; }
     bool is_software() const { return properties_.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU; }
@@ -106,6 +108,7 @@ private:
     VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
     VkSurfaceKHR surface_ = VK_NULL_HANDLE;
     VkPhysicalDevice physical_ = VK_NULL_HANDLE;
+    int index_ = 0;
     VkPhysicalDeviceProperties properties_{};
     VkPhysicalDeviceMemoryProperties memory_{};
     std::string driver_;

@@ -28,17 +28,6 @@ std::uint64_t workgroups(FrameGraph::Pass const& pass) {
     return compute ? workgroups(*compute).pixels() : 0;
 }
 
-VkImageUsageFlags transient_usage(ImageShape const& shape) {
-    VkImageUsageFlags const common = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
-    if (shape.is_depth()) return common | VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
-    if (shape.format == VK_FORMAT_R32G32B32A32_SFLOAT || shape.format == VK_FORMAT_R32_SFLOAT ||
-        shape.format == VK_FORMAT_R32G32_SFLOAT)
-        return common | VK_IMAGE_USAGE_STORAGE_BIT;
-    if (shape.format == VK_FORMAT_R8G8B8A8_UNORM)
-        return common | VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
-    return common | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
-}
-
 VkRenderingAttachmentInfo attachment(VkImageView view, VkImageLayout layout, bool clear) {
     VkRenderingAttachmentInfo info{};
     info.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO;
@@ -63,6 +52,17 @@ void settle_timestamp(VkCommandBuffer commands) {
 }
 
 } // namespace
+
+VkImageUsageFlags transient_usage(ImageShape const& shape) {
+    VkImageUsageFlags const common = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+    if (shape.is_depth()) return common | VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
+    if (shape.format == VK_FORMAT_R32G32B32A32_SFLOAT || shape.format == VK_FORMAT_R32_SFLOAT ||
+        shape.format == VK_FORMAT_R32G32_SFLOAT)
+        return common | VK_IMAGE_USAGE_STORAGE_BIT;
+    if (shape.format == VK_FORMAT_R8G8B8A8_UNORM)
+        return common | VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
+    return common | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
+}
 
 struct Executor::InFlight {
     VkCommandPool pool = VK_NULL_HANDLE;

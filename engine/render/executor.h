@@ -21,6 +21,9 @@ struct PresentSync {
     VkSemaphore finished = VK_NULL_HANDLE; ///< the picture may be shown
 };
 
+/// Of images that live for a frame, and of those like them.
+VkImageUsageFlags transient_usage(ImageShape const& shape);
+
 /// Runs frame graphs on a device: derives descriptors, group counts, barriers, labels and timings from the
 /// declarations. Keeps transient images, pipelines and samplers from frame to frame. Frames in flight have their own
 /// copies of what the CPU writes.

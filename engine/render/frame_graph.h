@@ -123,6 +123,7 @@ public:
     ImageId import(GpuImage& image, std::string name, ShowScale scale, bool has_content);
     template <typename T>
     ConstantsId add_constants(T const& value) { return add_constant_bytes(bytes_of(value)); }
+    ConstantsId add_constant_bytes(std::vector<std::byte> bytes);
 
     /// Values of the specialization constants 1, 2, … of every compute shader: another value is another pipeline.
     void specialize(std::vector<std::int32_t> values) { specialization_ = std::move(values); }
@@ -150,8 +151,6 @@ public:
     std::vector<PipelineRecipe> recipes() const;
 
 private:
-    ConstantsId add_constant_bytes(std::vector<std::byte> bytes);
-
     std::vector<Image> images_;
     std::vector<Pass> passes_;
     std::vector<std::vector<std::byte>> constants_;

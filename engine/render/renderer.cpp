@@ -68,6 +68,7 @@ Renderer::Renderer(Device const& device, std::uint32_t frames_in_flight, Switche
       exposure_(device, table_shape(1, 1), KEPT | VK_IMAGE_USAGE_TRANSFER_DST_BIT, "exposure"),
       seconds_(ADAPTED_AT_ONCE) {
     upload(device, exposure_, bytes_of(shader::ExposureState{1, 0, 0, 0}));
+    if (switches == Switches::when_ready && device.is_software()) rehearsal_ = std::make_unique<Rehearsal>(device);
 }
 
 Renderer::~Renderer() {
@@ -104,24 +105,28 @@ Renderer::Fits Renderer::fit(World const& world, Settings const& settings) const
             fit_ceiling(shading, scene_->highest_altitude(), world.planet, world.to_sun, size)};
 }
 
-/// Whether all pipelines of such a picture are there; if not, another thread makes them.
-bool Renderer::prepare(World const& world, Settings const& settings, Extent extent, Need need) {
-    Fits const fits = fit(world, settings);
-    return executor_.prepare(Composed(*this, world, settings, extent, fits, 0).graph, need);
-}
-
 /// Those of the last picture as long as pipelines for the others are missing.
 Settings const& Renderer::settings_to_show(World const& world, Settings const& wanted, Extent extent) {
-    if (shown_ && *shown_ != wanted && !prepare(world, wanted, extent, Need::wanted)) return *shown_;
+    if (shown_ && *shown_ != wanted) {
+        Fits const fits = fit(world, wanted);
+        Composed const frame(*this, world, wanted, extent, fits, 0);
+        if (!executor_.prepare(frame.graph, Need::wanted)) return *shown_;
+    }
     shown_ = wanted;
     return *shown_;
 }
 
-/// Has the pipelines made that the next switch is likely to need.
-void Renderer::prepare_next(World const& world, Extent extent) {
+/// Does ahead what the next switch behind a picture with these passes is likely to need.
+void Renderer::prepare_next(FrameGraph const& drawn, World const& world, Extent extent) {
     if (prepared_ && same_choices(*prepared_, *shown_)) return;
     prepared_ = shown_;
-    for (Settings const& next : one_choice_away(*shown_)) prepare(world, next, extent, Need::likely);
+    if (rehearsal_) rehearsal_->skip(drawn);
+    for (Settings const& next : one_choice_away(*shown_)) {
+        Fits const fits = fit(world, next);
+        Composed const frame(*this, world, next, extent, fits, 0);
+        executor_.prepare(frame.graph, Need::likely);
+        if (rehearsal_) rehearsal_->add(frame.graph);
+    }
 }
 
 void Renderer::draw(World const& world, Settings const& wanted, Extent extent, Finish const& finish,
@@ -139,7 +144,7 @@ void Renderer::draw(World const& world, Settings const& wanted, Extent extent, F
     ceiling_.finish(fits.ceiling);
     finish_work(frame.tables, frame.constants.front().atmosphere, world.planet.name, frame.work);
     tables_ = &frame.tables;
-    if (!at_once) prepare_next(world, extent);
+    if (!at_once) prepare_next(frame.graph, world, extent);
 }
 
 void Renderer::finish_again(Finish const& finish, PresentSync const& sync) {

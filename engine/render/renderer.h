@@ -5,6 +5,7 @@
 #include "render/air_table_store.h"
 #include "render/executor.h"
 #include "render/frame.h"
+#include "render/rehearsal.h"
 
 #include <functional>
 #include <memory>
@@ -50,6 +51,8 @@ public:
     bool settings_shown() const { return settings_shown_; }
     /// Whether all pipelines are there that the next switch is likely to need; for measuring.
     bool switches_prepared() { return executor_.prepared(); }
+    /// And, where shaders are compiled when they run, whether that is done too.
+    bool switches_rehearsed() const { return !rehearsal_ || rehearsal_->idle(); }
     /// How many pipelines frames had to make themselves or to wait for, since the start.
     std::size_t pipelines_missed() const { return executor_.pipelines_missed(); }
 
@@ -69,9 +72,8 @@ private:
     struct Fits;
     struct Composed;
     Fits fit(World const& world, Settings const& settings) const;
-    bool prepare(World const& world, Settings const& settings, Extent extent, Need need);
     Settings const& settings_to_show(World const& world, Settings const& wanted, Extent extent);
-    void prepare_next(World const& world, Extent extent);
+    void prepare_next(FrameGraph const& drawn, World const& world, Extent extent);
     GpuImage* kept_image(std::string const& name);
     void size_pictures(Extent extent);
 
@@ -86,6 +88,7 @@ private:
     std::optional<Settings> shown_;    ///< of the last picture; none: the next one is of its settings
     std::optional<Settings> prepared_; ///< pipelines of what is one choice away from these are made ahead
     bool settings_shown_ = true;
+    std::unique_ptr<Rehearsal> rehearsal_; ///< where shaders are compiled when they run and nobody is to notice
     GpuImage exposure_;
     std::unique_ptr<GpuImage> mean_, picture_;
     double seconds_; ///< since the picture before

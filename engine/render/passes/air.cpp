@@ -22,6 +22,9 @@ std::uint32_t coarse_side(std::uint32_t side, int stride) {
     return stride == 1 ? side : (side - 1) / static_cast<std::uint32_t>(stride) + 2;
 }
 
+/// Of a layer without air. lavapipe compiles a shader anew for images whose sides are powers of two.
+constexpr Extent NO_AIR{3, 3};
+
 std::uint32_t repair_threads(std::uint32_t side) {
     return (side + AIR_REPAIR_TILE - 1) / AIR_REPAIR_TILE * WORKGROUP_SIZE;
 }
@@ -32,7 +35,7 @@ AirLayer add_air(FrameGraph& graph, FrameInputs const& in, ConstantsId frame, Ai
                  AirTables const& tables, int sample) {
     bool const any = (in.constants.front().flags & FRAME_AIR) != 0;
     int const stride = any && in.model.air_stride ? in.model.air_stride(in.settings) : 1;
-    Extent const extent = any ? in.extent : Extent{1, 1};
+    Extent const extent = any ? in.extent : NO_AIR;
     Extent const coarse{coarse_side(extent.width, stride), coarse_side(extent.height, stride)};
     std::vector<Slot> slots{constants(FRAME_SLOT, frame), sampled(AIR_DEPTH_SLOT, obstacles.depth, NEAREST_CLAMP),
                             sampled_array(AIR_SHADOW_SLOT, obstacles.shadow.cascades, NEAREST_CLAMP),
