@@ -37,10 +37,11 @@ Rehearsal::Part Rehearsal::part_of(FrameGraph const& graph, ComputePass const& p
     PipelineRecipe const recipe = graph.recipe(pass);
     Part part{pass, graph.specialization(), {}, {}, recipe.key()};
     part.pass.threads = {0, 0};
-    for (Slot& slot : part.pass.slots) {
+    for (Slot const& slot : pass.slots) {
         bool const constants = slot.type == VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
         part.constant_bytes.push_back(constants ? graph.constant_blocks()[slot.constants.index].size() : 0);
-        ImageShape const& shape = part.images.emplace_back(constants ? ImageShape{} : stand_in(graph.shape(slot.image)));
+        ImageShape const shape = constants ? ImageShape{} : stand_in(graph.shape(slot.image));
+        part.images.push_back(shape);
         part.key += fmt::format(" {} {} {} {}", static_cast<int>(shape.format), shape.extent.width,
                                 shape.extent.height, shape.layers);
     }

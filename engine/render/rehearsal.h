@@ -15,8 +15,8 @@ class Executor;
 
 /// A software device compiles a shader only when it runs, in the middle of a frame, and anew for other kinds of images:
 /// formats, and whether sides are powers of two. A rehearsal binds compute passes to images of those kinds on a second
-/// device and starts no threads of them, so that the code is in the driver's cache on disk when a frame needs it. Frames
-/// go before it. Where it fails, frames compile themselves, and the log says so.
+/// device and starts no threads of them, so that the code is in the driver's cache on disk when a frame needs it.
+/// Frames go before it. Where it fails, shaders are compiled in frames, and the log says so.
 class Rehearsal {
 public:
     /// `device` is the one whose frames are rehearsed.
@@ -40,7 +40,6 @@ private:
         std::vector<std::int32_t> specialization;
         std::vector<ImageShape> images;          ///< of each slot
         std::vector<std::size_t> constant_bytes; ///< of each slot
-
         std::string key;
     };
     static Part part_of(FrameGraph const& graph, ComputePass const& pass);

@@ -24,8 +24,8 @@ protected:
         unsetenv("MESA_SHADER_CACHE_DIR");
         GpuTest::TearDown();
     }
-    /// Runs `use` with a device and a graph of one pass on images of that size, and gives how many files the cache has when
-    /// the device is gone.
+    /// Calls `use` with a device and a graph of one pass on images of that size, and gives how many files the cache has
+    /// when the device is gone.
     std::size_t files_after(Extent extent, std::function<void(Device const&, FrameGraph const&)> const& use) const {
         {
             Device const own;

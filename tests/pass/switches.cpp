@@ -27,7 +27,8 @@ protected:
     }
     static int difference(ByteImage const& a, ByteImage const& b) {
         int most = 0;
-        for (std::size_t i = 0; i < a.rgba.size(); ++i) most = std::max(most, std::abs(int(a.rgba[i]) - int(b.rgba[i])));
+        for (std::size_t i = 0; i < a.rgba.size(); ++i)
+            most = std::max(most, std::abs(int(a.rgba[i]) - int(b.rgba[i])));
         return most;
     }
 
@@ -45,7 +46,8 @@ TEST_F(SwitchesInFlight, no_frame_makes_pipelines_and_the_picture_becomes_that_o
     ByteImage before = drawn(flying, settings_);
     drawn(at_once, settings_);
     EXPECT_GT(flying.pipelines_missed(), 0u) << "the first frame";
-    for (auto const& [name, value] : {std::pair{"model", "tables"}, {"post_aa", "fxaa"}, {"auto_exposure", "on"}, {"curve", "agx"}}) {
+    for (auto const& [name, value] :
+         {std::pair{"model", "tables"}, {"post_aa", "fxaa"}, {"auto_exposure", "on"}, {"curve", "agx"}}) {
         std::size_t const missed = flying.pipelines_missed(), missed_at_once = at_once.pipelines_missed();
         set_setting(settings_, name, value);
         ByteImage const expected = drawn(at_once, settings_);
@@ -72,7 +74,7 @@ TEST_F(SwitchesInFlight, pipelines_of_the_next_switch_are_made_ahead) {
 }
 
 TEST_F(SwitchesInFlight, the_scene_and_the_renderer_may_go_while_pipelines_are_made) {
-    settings_.shadows = false, settings_.shafts = "off"; // the sun's shadows are raster pipelines, with the scene's layout
+    settings_.shadows = false, settings_.shafts = "off"; // the sun's shadows have pipelines with the scene's layout
     for (bool const replaced : {true, false}) {
         Renderer flying(device(), 2, Switches::when_ready);
         stand(flying);
