@@ -34,7 +34,7 @@ double seconds() { return std::chrono::duration<double>(std::chrono::steady_cloc
 class WindowFlight {
 public:
     WindowFlight(FlyOptions const& options, Flight const& flight, Window& window)
-        : window_(window), stage_(options, window.device_options(), FRAMES_IN_FLIGHT), panel_(window),
+        : window_(window), stage_(options, window.device_options(), FRAMES_IN_FLIGHT, Switches::when_ready), panel_(window),
           pilot_(stage_, flight), overlay_(stage_.device(), Panel::texture(), FRAMES_IN_FLIGHT),
           swapchain_(stage_.device(), window.framebuffer(), FRAMES_IN_FLIGHT) {
         stage_.follow_ground();
@@ -112,7 +112,8 @@ void WindowFlight::step() {
 /// Whether the next picture would be the last one again.
 bool WindowFlight::stands_still() {
     bool const adapting = std::abs(report_.exposure_target - report_.exposure) > ADAPTED;
-    return drawn_ == view_text(pilot_.view()) && !adapting && stage_.renderer().tables_finished();
+    return drawn_ == view_text(pilot_.view()) && !adapting && stage_.renderer().tables_finished() &&
+           stage_.renderer().settings_shown();
 }
 
 bool WindowFlight::fit_window(WindowEvents const& events) {
@@ -227,7 +228,8 @@ void WindowFlight::save() {
     stage_.renderer().pass_time(0); // as it is seen
     View finished = pilot_.view();
     finished.settings.spread_tables = false;
-    stage_.draw(finished, world_, swapchain_.extent());
+    do stage_.draw(finished, world_, swapchain_.extent());
+    while (!stage_.renderer().settings_shown());
     try {
         message_ = "saved " + save_view(SAVED_VIEWS, pilot_.view(), stage_.renderer().picture()).string();
         log_info(message_);

@@ -26,8 +26,9 @@ std::string scene_key(View const& view, Placement const& placement) {
 
 } // namespace
 
-Stage::Stage(DrawOptions const& options, DeviceOptions device, std::uint32_t frames_in_flight)
-    : options_(options), device_(device_options(options, std::move(device))), renderer_(device_, frames_in_flight) {}
+Stage::Stage(DrawOptions const& options, DeviceOptions device, std::uint32_t frames_in_flight, Switches switches)
+    : options_(options), device_(device_options(options, std::move(device))),
+      renderer_(device_, frames_in_flight, switches) {}
 
 View Stage::dressed(View view) const {
     if (options_.scene) view.scene = *options_.scene;
@@ -88,10 +89,11 @@ double Stage::ground_altitude(glm::dvec3 const& world) const {
 }
 
 void Stage::require_no_messages() const {
-    if (device_.messages().empty()) return;
+    std::vector<std::string> const messages = device_.messages();
+    if (messages.empty()) return;
     throw Error(
         ErrorKind::device,
-        fmt::format("validation said {} things, the first: {}", device_.messages().size(), device_.messages().front()),
+        fmt::format("validation said {} things, the first: {}", messages.size(), messages.front()),
         device_.name());
 }
 

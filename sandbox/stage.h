@@ -14,7 +14,8 @@ namespace alpenglow {
 /// Planets and scenes are loaded when a view first asks for them.
 class Stage {
 public:
-    explicit Stage(DrawOptions const& options, DeviceOptions device = {}, std::uint32_t frames_in_flight = 1);
+    explicit Stage(DrawOptions const& options, DeviceOptions device = {}, std::uint32_t frames_in_flight = 1,
+                   Switches switches = Switches::at_once);
 
     Device const& device() const { return device_; }
     Renderer& renderer() { return renderer_; }

@@ -25,12 +25,12 @@ bool has_validation_layer() {
 
 VKAPI_ATTR VkBool32 VKAPI_CALL receive_message(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
                                                VkDebugUtilsMessengerCallbackDataEXT const* data, void* user) {
-    static_cast<std::vector<std::string>*>(user)->emplace_back(data->pMessage);
+    static_cast<MessageList*>(user)->add(data->pMessage);
     log_warning(data->pMessage);
     return VK_FALSE;
 }
 
-VkDebugUtilsMessengerCreateInfoEXT messenger_info(std::vector<std::string>& messages) {
+VkDebugUtilsMessengerCreateInfoEXT messenger_info(MessageList& messages) {
     VkDebugUtilsMessengerCreateInfoEXT info{};
     info.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT;
     info.messageSeverity =
@@ -85,6 +85,16 @@ std::vector<DeviceReport> list_devices() {
     }
     vkDestroyInstance(instance, nullptr);
     return reports;
+}
+
+void MessageList::add(std::string text) {
+    std::lock_guard const lock(mutex_);
+    texts_.push_back(std::move(text));
+}
+
+std::vector<std::string> MessageList::all() const {
+    std::lock_guard const lock(mutex_);
+    return texts_;
 }
 
 Device::Device(DeviceOptions const& options) {
@@ -164,6 +174,7 @@ void Device::choose_physical(DeviceOptions const& options) {
     }
     if (!best) throw Error(ErrorKind::device, "no Vulkan device can be used" + refused, {}, advice);
     physical_ = devices[static_cast<std::size_t>(best->index)];
+    index_ = best->index;
     driver_ = best->driver;
     vkGetPhysicalDeviceProperties(physical_, &properties_);
     vkGetPhysicalDeviceMemoryProperties(physical_, &memory_);

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <functional>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,11 +12,11 @@
 namespace alpenglow {
 
 struct DeviceOptions {
-    std::optional<int> index;                    ///< as `list_devices` counts; nothing: the best one
+    std::optional<int> index{};                  ///< as `list_devices` counts; nothing: the best one
     bool validation = false;                     ///< core and synchronization validation, where the layer is installed
-    std::vector<char const*> instance_extensions; ///< what the window system asks for
+    std::vector<char const*> instance_extensions{}; ///< what the window system asks for
     /// Makes the window's surface; the device must be able to present to it. Empty: headless.
-    std::function<VkSurfaceKHR(VkInstance)> make_surface;
+    std::function<VkSurfaceKHR(VkInstance)> make_surface{};
 };
 
 /// A device of this machine, and whether Alpenglow can run on it.
@@ -46,7 +47,19 @@ std::vector<std::string> missing_abilities(DeviceAbilities const& abilities, boo
 /// Throws Error(device) where Vulkan itself is not there.
 std::vector<DeviceReport> list_devices();
 
-/// Instance, physical and logical device, its one queue, and what validation said. One at a time in a program.
+/// Texts that any thread may add to.
+class MessageList {
+public:
+    void add(std::string text);
+    std::vector<std::string> all() const;
+
+private:
+    mutable std::mutex mutex_;
+    std::vector<std::string> texts_;
+};
+
+/// Instance, physical and logical device, its one queue, and what validation said. Programs have one, and at most another for a
+/// Rehearsal.
 class Device {
 public:
     explicit Device(DeviceOptions const& options = {});
@@ -61,6 +74,7 @@ public:
     std::uint32_t queue_family() const { return queue_family_; }
     VkSurfaceKHR surface() const { return surface_; }
     VkPhysicalDeviceLimits const& limits() const { return properties_.limits; }
+    int index() const { return index_; } ///< as `list_devices` counts
     std::string name() const { return properties_.deviceName; }
     std::string driver() const { return driver_; }
     bool is_software() const { return properties_.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU; }
@@ -81,8 +95,8 @@ public:
     void run_once(std::function<void(VkCommandBuffer)> const& record) const;
     void wait_idle() const;
 
-    /// Validation messages since the start; tests fail on any.
-    std::vector<std::string> const& messages() const { return messages_; }
+    /// Validation messages since the start, of all threads; tests fail on any.
+    std::vector<std::string> messages() const { return messages_.all(); }
 
 private:
     void make_instance(DeviceOptions const& options);
@@ -94,6 +108,7 @@ private:
     VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
     VkSurfaceKHR surface_ = VK_NULL_HANDLE;
     VkPhysicalDevice physical_ = VK_NULL_HANDLE;
+    int index_ = 0;
     VkPhysicalDeviceProperties properties_{};
     VkPhysicalDeviceMemoryProperties memory_{};
     std::string driver_;
@@ -105,7 +120,7 @@ private:
     PFN_vkSetDebugUtilsObjectNameEXT set_name_ = nullptr;
     PFN_vkCmdBeginDebugUtilsLabelEXT begin_label_ = nullptr;
     PFN_vkCmdEndDebugUtilsLabelEXT end_label_ = nullptr;
-    std::vector<std::string> messages_;
+    MessageList messages_;
     mutable std::atomic<std::uint64_t> memory_in_use_ = 0, peak_memory_ = 0;
 };
 

@@ -64,10 +64,22 @@ private:
     VkShaderModule module_ = VK_NULL_HANDLE;
 };
 
-std::string slots_key(std::vector<SlotLayout> const& slots) {
-    std::string key;
-    for (SlotLayout const& slot : slots) key += fmt::format(" {}:{}", slot.slot, static_cast<int>(slot.type));
-    return key;
+VkPipeline make_compute(Device const& device, ComputeState const& state, VkPipelineLayout layout) {
+    Module const module(device, state.shader);
+    std::vector<VkSpecializationMapEntry> entries;
+    for (std::uint32_t id = 0; id < state.specialization.size(); ++id)
+        entries.push_back({id, id * std::uint32_t(sizeof(std::int32_t)), sizeof(std::int32_t)});
+    VkSpecializationInfo const constants{static_cast<std::uint32_t>(entries.size()), entries.data(),
+                                         std::span(state.specialization).size_bytes(), state.specialization.data()};
+    VkComputePipelineCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
+    info.stage = module.stage(VK_SHADER_STAGE_COMPUTE_BIT);
+    info.stage.pSpecializationInfo = &constants;
+    info.layout = layout;
+    VkPipeline pipeline = VK_NULL_HANDLE;
+    check(vkCreateComputePipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
+          std::string("making the pipeline ") + state.shader.name);
+    return pipeline;
 }
 
 VkPipeline make_raster(Device const& device, RasterState const& state, VkPipelineLayout layout) {
@@ -155,6 +167,33 @@ VkPipeline make_raster(Device const& device, RasterState const& state, VkPipelin
     return pipeline;
 }
 
+std::unique_ptr<Pipeline> make(Device const& device, RasterState const& state, std::vector<SlotLayout> const& slots) {
+    constexpr VkShaderStageFlags stages = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
+    VkDescriptorSetLayout const set0 = make_push_layout(device, slots, stages);
+    std::vector<VkDescriptorSetLayout> sets = {set0};
+    if (state.set1) sets.push_back(state.set1);
+    VkPipelineLayout const layout = make_layout(device, sets, stages);
+    return std::make_unique<Pipeline>(device, set0, layout, make_raster(device, state, layout));
+}
+
+std::unique_ptr<Pipeline> make(Device const& device, ComputeState const& state, std::vector<SlotLayout> const& slots) {
+    VkDescriptorSetLayout const set0 = make_push_layout(device, slots, VK_SHADER_STAGE_COMPUTE_BIT);
+    VkPipelineLayout const layout = make_layout(device, std::array{set0}, VK_SHADER_STAGE_COMPUTE_BIT);
+    return std::make_unique<Pipeline>(device, set0, layout, make_compute(device, state, layout));
+}
+
+std::string key_of(ComputeState const& state) {
+    return fmt::format("{} {}", state.shader.name, fmt::join(state.specialization, " "));
+}
+
+std::string key_of(RasterState const& state) {
+    char const* const fragment = state.fragment.name ? state.fragment.name : "";
+    std::string key =
+        fmt::format("{}+{} {} {} {}", state.vertex.name, fragment, state.shadow, state.slope_bias, state.blend);
+    for (VkFormat color : state.colors) key += fmt::format(" {}", static_cast<int>(color));
+    return key;
+}
+
 } // namespace
 
 Pipeline::~Pipeline() {
@@ -163,45 +202,14 @@ Pipeline::~Pipeline() {
     vkDestroyDescriptorSetLayout(device_.handle(), set0_, nullptr);
 }
 
-Pipeline const& PipelineCache::compute(ShaderCode const& shader, std::vector<SlotLayout> const& slots,
-                                       std::vector<std::int32_t> const& specialization) {
-    std::string const key = fmt::format("{}{} {}", shader.name, slots_key(slots), fmt::join(specialization, " "));
-    std::unique_ptr<Pipeline>& entry = pipelines_[key];
-    if (entry) return *entry;
-    VkDescriptorSetLayout const set0 = make_push_layout(device_, slots, VK_SHADER_STAGE_COMPUTE_BIT);
-    VkPipelineLayout const layout = make_layout(device_, std::array{set0}, VK_SHADER_STAGE_COMPUTE_BIT);
-    Module const module(device_, shader);
-    VkComputePipelineCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
-    info.stage = module.stage(VK_SHADER_STAGE_COMPUTE_BIT);
-    std::vector<VkSpecializationMapEntry> entries;
-    for (std::uint32_t id = 0; id < specialization.size(); ++id)
-        entries.push_back({id, id * std::uint32_t(sizeof(std::int32_t)), sizeof(std::int32_t)});
-    VkSpecializationInfo const constants{static_cast<std::uint32_t>(entries.size()), entries.data(),
-                                         std::span(specialization).size_bytes(), specialization.data()};
-    info.stage.pSpecializationInfo = &constants;
-    info.layout = layout;
-    VkPipeline pipeline = VK_NULL_HANDLE;
-    check(vkCreateComputePipelines(device_.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
-          std::string("making the pipeline ") + shader.name);
-    entry = std::make_unique<Pipeline>(device_, set0, layout, pipeline);
-    return *entry;
+std::string PipelineRecipe::key() const {
+    std::string key = std::visit([](auto const& kind) { return key_of(kind); }, state);
+    for (SlotLayout const& slot : slots) key += fmt::format(" {}:{}", slot.slot, static_cast<int>(slot.type));
+    return key;
 }
 
-Pipeline const& PipelineCache::raster(RasterState const& state, std::vector<SlotLayout> const& slots) {
-    char const* const fragment = state.fragment.name ? state.fragment.name : "";
-    std::string key = fmt::format("{}+{} {} {} {}{}", state.vertex.name, fragment, state.shadow, state.slope_bias,
-                                  state.blend, slots_key(slots));
-    for (VkFormat color : state.colors) key += fmt::format(" {}", static_cast<int>(color));
-    std::unique_ptr<Pipeline>& entry = pipelines_[key];
-    if (entry) return *entry;
-    constexpr VkShaderStageFlags stages = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
-    VkDescriptorSetLayout const set0 = make_push_layout(device_, slots, stages);
-    std::vector<VkDescriptorSetLayout> sets = {set0};
-    if (state.set1) sets.push_back(state.set1);
-    VkPipelineLayout const layout = make_layout(device_, sets, stages);
-    entry = std::make_unique<Pipeline>(device_, set0, layout, make_raster(device_, state, layout));
-    return *entry;
+std::unique_ptr<Pipeline> make_pipeline(Device const& device, PipelineRecipe const& recipe) {
+    return std::visit([&](auto const& state) { return make(device, state, recipe.slots); }, recipe.state);
 }
 
 } // namespace alpenglow

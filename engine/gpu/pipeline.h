@@ -2,10 +2,10 @@
 
 #include "gpu/device.h"
 
-#include <map>
 #include <memory>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace alpenglow {
@@ -50,9 +50,9 @@ struct VertexLayout {
 
 /// Everything a raster pipeline is made of. Depth is reversed unless `shadow`.
 struct RasterState {
-    ShaderCode vertex, fragment;             ///< no fragment words: depth only
-    VertexLayout vertices;                   ///< stride 0: the vertex shader makes its own
-    std::vector<VkFormat> colors;
+    ShaderCode vertex{}, fragment{};         ///< no fragment words: depth only
+    VertexLayout vertices{};                 ///< stride 0: the vertex shader makes its own
+    std::vector<VkFormat> colors{};
     VkFormat depth = VK_FORMAT_UNDEFINED;
     bool shadow = false;                     ///< nearer is smaller, clamped instead of clipped, slope bias
     float slope_bias = 0;                    ///< with `shadow`
@@ -60,20 +60,22 @@ struct RasterState {
     VkDescriptorSetLayout set1 = VK_NULL_HANDLE;
 };
 
-/// Makes pipelines once and keeps them.
-class PipelineCache {
-public:
-    explicit PipelineCache(Device const& device) : device_(device) {}
-
-    /// `specialization`: the values of the shader's constants with the ids 0, 1, …; those it doesn't have are ignored.
-    Pipeline const& compute(ShaderCode const& shader, std::vector<SlotLayout> const& slots,
-                            std::vector<std::int32_t> const& specialization = {});
-    Pipeline const& raster(RasterState const& state, std::vector<SlotLayout> const& slots);
-
-private:
-    Device const& device_;
-    std::map<std::string, std::unique_ptr<Pipeline>> pipelines_;
+struct ComputeState {
+    ShaderCode shader;
+    std::vector<std::int32_t> specialization; ///< of the shader's constants 0, 1, …; those it doesn't have are ignored
 };
+
+/// Everything a pipeline is made of.
+struct PipelineRecipe {
+    std::variant<ComputeState, RasterState> state;
+    std::vector<SlotLayout> slots; ///< of set 0
+
+    /// The same text is the same pipeline. It says nothing of `set1`: those of all scenes are alike.
+    std::string key() const;
+};
+
+/// On any thread. Throws Error(device).
+std::unique_ptr<Pipeline> make_pipeline(Device const& device, PipelineRecipe const& recipe);
 
 constexpr std::uint32_t PUSH_CONSTANT_BYTES = 128;
 

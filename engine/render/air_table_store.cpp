@@ -24,7 +24,6 @@ AirTableStore::Kept& AirTableStore::of(AirModel const& model) {
                 image = std::make_unique<GpuImage>(device_, shape, TABLE_USAGE, table.name);
         }
     }
-    last_ = &kept;
     return kept;
 }
 
@@ -32,11 +31,9 @@ void AirTableStore::discard() {
     for (auto& [model, kept] : kept_) kept.made_for.reset();
 }
 
-GpuImage* AirTableStore::find(std::string_view name) const {
-    if (!last_) return nullptr;
-    for (std::size_t i = 0; i < last_->tables.size(); ++i) {
-        TwofoldTable const& table = last_->tables[i];
-        if (last_->model.tables[i].name == name) return table.images[table.finished].get();
+GpuImage* AirTableStore::Kept::find(std::string_view name) const {
+    for (std::size_t i = 0; i < tables.size(); ++i) {
+        if (model.tables[i].name == name) return tables[i].images[tables[i].finished].get();
     }
     return nullptr;
 }

@@ -31,18 +31,17 @@ public:
         TableProgress progress{};
 
         bool finished() const { return progress.step == model.steps.size(); }
+        /// The finished table of that name; nullptr where there is none.
+        GpuImage* find(std::string_view name) const;
     };
     /// Makes the images where there are none yet.
     Kept& of(AirModel const& model);
     /// From now on they hold nothing.
     void discard();
-    /// Finished, of the model that was asked for last; nullptr where it has none of that name.
-    GpuImage* find(std::string_view name) const;
 
 private:
     Device const& device_;
     std::map<std::string_view, Kept> kept_; ///< by the model's name
-    Kept const* last_ = nullptr;
 };
 
 /// Where the making goes on when this frame's air is `air` of `planet`: at the start where it is another, and all at

@@ -29,17 +29,6 @@ std::uint64_t workgroups(FrameGraph::Pass const& pass) {
     return compute && !worked_off(*compute) ? workgroups(*compute).pixels() : 0;
 }
 
-VkImageUsageFlags transient_usage(ImageShape const& shape) {
-    VkImageUsageFlags const common = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
-    if (shape.is_depth()) return common | VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
-    if (shape.format == VK_FORMAT_R32G32B32A32_SFLOAT || shape.format == VK_FORMAT_R32_SFLOAT ||
-        shape.format == VK_FORMAT_R32G32_SFLOAT)
-        return common | VK_IMAGE_USAGE_STORAGE_BIT;
-    if (shape.format == VK_FORMAT_R8G8B8A8_UNORM)
-        return common | VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
-    return common | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
-}
-
 VkRenderingAttachmentInfo attachment(VkImageView view, VkImageLayout layout, bool clear) {
     VkRenderingAttachmentInfo info{};
     info.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO;
@@ -48,12 +37,6 @@ VkRenderingAttachmentInfo attachment(VkImageView view, VkImageLayout layout, boo
     info.loadOp = clear ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD;
     info.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
     return info;
-}
-
-std::vector<SlotLayout> layout_of(std::vector<Slot> const& slots) {
-    std::vector<SlotLayout> result;
-    for (Slot const& slot : slots) result.push_back({slot.slot, slot.type});
-    return result;
 }
 
 /// Everything after it waits for everything before it and sees what that wrote.
@@ -71,6 +54,17 @@ void full_barrier(VkCommandBuffer commands) {
 }
 
 } // namespace
+
+VkImageUsageFlags transient_usage(ImageShape const& shape) {
+    VkImageUsageFlags const common = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+    if (shape.is_depth()) return common | VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
+    if (shape.format == VK_FORMAT_R32G32B32A32_SFLOAT || shape.format == VK_FORMAT_R32_SFLOAT ||
+        shape.format == VK_FORMAT_R32G32_SFLOAT)
+        return common | VK_IMAGE_USAGE_STORAGE_BIT;
+    if (shape.format == VK_FORMAT_R8G8B8A8_UNORM)
+        return common | VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
+    return common | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
+}
 
 struct Executor::InFlight {
     VkCommandPool pool = VK_NULL_HANDLE;
@@ -92,7 +86,8 @@ struct Executor::Recording {
 };
 
 Executor::Executor(Device const& device, std::uint32_t frames_in_flight)
-    : device_(device), pipelines_(device), samplers_(device) {
+    : device_(device), pipelines_([&device](PipelineRecipe const& recipe) { return make_pipeline(device, recipe); }),
+      samplers_(device) {
     for (std::uint32_t i = 0; i < frames_in_flight; ++i) {
         InFlight& slot = *slots_.emplace_back(std::make_unique<InFlight>());
         VkCommandPoolCreateInfo pool{};
@@ -123,6 +118,12 @@ Executor::~Executor() {
         vkDestroyFence(device_.handle(), slot->fence, nullptr);
         vkDestroyCommandPool(device_.handle(), slot->pool, nullptr);
     }
+}
+
+bool Executor::prepare(FrameGraph const& graph, Need need) {
+    bool all = true;
+    for (PipelineRecipe const& recipe : graph.recipes()) all = pipelines_.prepare(recipe, need) && all;
+    return all;
 }
 
 GpuImage* Executor::transient(std::string const& name) {
@@ -340,10 +341,7 @@ void Executor::push_slots(Recording& recording, VkPipelineBindPoint point, VkPip
 }
 
 void Executor::record(Recording& recording, ComputePass const& pass) {
-    std::vector<std::int32_t> specialization{pass.variant};
-    std::vector<std::int32_t> const& of_frame = recording.graph.specialization();
-    specialization.insert(specialization.end(), of_frame.begin(), of_frame.end());
-    Pipeline const& pipeline = pipelines_.compute(pass.shader, layout_of(pass.slots), specialization);
+    Pipeline const& pipeline = pipelines_.get(recording.graph.recipe(pass));
     VkCommandBuffer const commands = recording.commands();
     prepare_work_lists(recording, pass);
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.handle());
@@ -367,10 +365,8 @@ public:
 
     VkCommandBuffer commands() const override { return recording_.commands(); }
 
-    void use(RasterState state) override {
-        for (ImageId color : pass_.colors) state.colors.push_back(recording_.graph.shape(color).format);
-        if (pass_.depth) state.depth = recording_.graph.shape(pass_.depth).format;
-        Pipeline const& pipeline = executor_.pipelines_.raster(state, layout_of(pass_.slots));
+    void use(std::size_t index) override {
+        Pipeline const& pipeline = executor_.pipelines_.get(recording_.graph.recipe(pass_, index));
         layout_ = pipeline.layout();
         vkCmdBindPipeline(commands(), VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline.handle());
         executor_.push_slots(recording_, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_, pass_.slots);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gpu/buffer.h"
+#include "gpu/pipeline_cache.h"
 #include "render/frame_graph.h"
 
 #include <memory>
@@ -20,6 +21,9 @@ struct PresentSync {
     VkSemaphore finished = VK_NULL_HANDLE; ///< the picture may be shown
 };
 
+/// Of images that live for a frame, and of those like them.
+VkImageUsageFlags transient_usage(ImageShape const& shape);
+
 /// Runs frame graphs on a device: derives descriptors, group counts, barriers, labels and timings from the
 /// declarations. Keeps transient images, pipelines and samplers from frame to frame. Frames in flight have their own
 /// copies of what the CPU writes.
@@ -29,6 +33,14 @@ public:
     ~Executor();
 
     void submit(FrameGraph const& graph, PresentSync const& sync = {});
+    /// Whether all pipelines of the graph are there. If not, a thread of the executor's own makes them; none of the
+    /// scene that the graph draws may go before `stop_preparing`. Throws Error(device) where it could not make one.
+    bool prepare(FrameGraph const& graph, Need need);
+    void stop_preparing() { pipelines_.stop_preparing(); }
+    /// Whether none is left to be made ahead. Throws as `prepare`.
+    bool prepared() { return pipelines_.idle(); }
+    /// How many pipelines `submit` had to make itself or to wait for.
+    std::size_t pipelines_missed() const { return pipelines_.misses(); }
     /// Waits for all frames. Throws Error(device) where the device fails or stops answering.
     void wait();
     /// Timings of the newest frame that is finished, in order; passes of one name are added up.

@@ -21,6 +21,12 @@ void add_slot_accesses(std::vector<ImageAccess>& accesses, std::vector<Slot> con
     }
 }
 
+std::vector<SlotLayout> layout_of(std::vector<Slot> const& slots) {
+    std::vector<SlotLayout> result;
+    for (Slot const& slot : slots) result.push_back({slot.slot, slot.type});
+    return result;
+}
+
 PlannedPass planned(std::string const& name, ComputePass const& pass) {
     PlannedPass result{name, {}};
     add_slot_accesses(result.accesses, pass.slots);
@@ -104,6 +110,32 @@ std::vector<PlannedPass> FrameGraph::planned_passes() const {
         result.push_back(std::visit([&](auto const& work) { return planned(pass.name, work); }, pass.work));
     }
     if (presented_) result.push_back({"present", {{presented_, ImageUse::present}}});
+    return result;
+}
+
+PipelineRecipe FrameGraph::recipe(ComputePass const& pass) const {
+    std::vector<std::int32_t> specialization{pass.variant};
+    specialization.insert(specialization.end(), specialization_.begin(), specialization_.end());
+    return {ComputeState{pass.shader, std::move(specialization)}, layout_of(pass.slots)};
+}
+
+PipelineRecipe FrameGraph::recipe(RasterPass const& pass, std::size_t pipeline) const {
+    RasterState state = pass.pipelines.at(pipeline);
+    for (ImageId color : pass.colors) state.colors.push_back(shape(color).format);
+    if (pass.depth) state.depth = shape(pass.depth).format;
+    return {std::move(state), layout_of(pass.slots)};
+}
+
+std::vector<PipelineRecipe> FrameGraph::recipes() const {
+    std::vector<PipelineRecipe> result;
+    for (Pass const& pass : passes_) {
+        if (ComputePass const* const compute = std::get_if<ComputePass>(&pass.work)) {
+            result.push_back(recipe(*compute));
+            continue;
+        }
+        RasterPass const& raster = std::get<RasterPass>(pass.work);
+        for (std::size_t i = 0; i < raster.pipelines.size(); ++i) result.push_back(recipe(raster, i));
+    }
     return result;
 }
 

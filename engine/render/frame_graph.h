@@ -101,8 +101,8 @@ class DrawContext {
 public:
     virtual ~DrawContext() = default;
     virtual VkCommandBuffer commands() const = 0;
-    /// Binds the pipeline, made on first use, with the pass's attachments and slots.
-    virtual void use(RasterState state) = 0;
+    /// Binds one of the pass's pipelines, by its place in their list, and the pass's slots.
+    virtual void use(std::size_t pipeline) = 0;
     virtual void push(std::span<std::byte const> bytes) = 0;
     virtual void bind_set1(VkDescriptorSet set) = 0;
 };
@@ -115,6 +115,7 @@ struct RasterPass {
     std::optional<float> clear_depth;
     std::uint32_t depth_layer = 0;
     std::vector<Slot> slots;
+    std::vector<RasterState> pipelines; ///< their `colors` and `depth` are the pass's attachments
     std::function<void(DrawContext&)> draw;
 };
 
@@ -146,6 +147,7 @@ public:
     WorkListId add_work_list(std::string name, std::size_t capacity);
     template <typename T>
     ConstantsId add_constants(T const& value) { return add_constant_bytes(bytes_of(value)); }
+    ConstantsId add_constant_bytes(std::vector<std::byte> bytes);
 
     /// Values of the specialization constants 1, 2, … of every compute shader: another value is another pipeline.
     void specialize(std::vector<std::int32_t> values) { specialization_ = std::move(values); }
@@ -168,10 +170,12 @@ public:
 
     /// The passes as `plan` takes them; the present comes last as a pass of its own.
     std::vector<PlannedPass> planned_passes() const;
+    PipelineRecipe recipe(ComputePass const& pass) const;
+    PipelineRecipe recipe(RasterPass const& pass, std::size_t pipeline) const;
+    /// Of all pipelines that the frame uses; some may be there more than once.
+    std::vector<PipelineRecipe> recipes() const;
 
 private:
-    ConstantsId add_constant_bytes(std::vector<std::byte> bytes);
-
     void note_work(ComputePass const& pass);
 
     std::vector<Image> images_;

@@ -159,19 +159,24 @@ void GpuScene::draw(DrawContext& context, std::span<std::uint32_t const> items, 
     }
 }
 
+std::vector<RasterState> GpuScene::depth_pipelines(float slope_bias) const {
+    RasterState const opaque{.vertex = shaders::mesh_vert,
+                             .vertices = vertex_layout(),
+                             .shadow = true,
+                             .slope_bias = slope_bias,
+                             .set1 = material_layout()};
+    if (!has_masked_) return {opaque};
+    RasterState masked = opaque;
+    masked.fragment = shaders::shadow_mask_frag;
+    return {opaque, masked};
+}
+
 void GpuScene::draw_depth(DrawContext& context, std::span<std::uint32_t const> items, glm::dvec3 const& camera,
-                          int projection, float slope_bias) const {
-    RasterState state;
-    state.vertex = shaders::mesh_vert;
-    state.vertices = vertex_layout();
-    state.shadow = true;
-    state.slope_bias = slope_bias;
-    state.set1 = material_layout();
-    context.use(state);
+                          int projection) const {
+    context.use(0);
     draw(context, items, camera, projection, Which::opaque, false);
     if (!has_masked_) return;
-    state.fragment = shaders::shadow_mask_frag;
-    context.use(state);
+    context.use(1);
     draw(context, items, camera, projection, Which::masked, false);
 }
 

@@ -49,10 +49,11 @@ public:
     enum class Which { all, opaque, masked };
     void draw(DrawContext& context, std::span<std::uint32_t const> items, glm::dvec3 const& camera, int projection,
               Which which, bool cull) const;
-    /// Draws the items' depth alone: the opaque ones, then those with holes. `slope_bias` [texels of depth for each unit
-    /// of slope].
+    /// Draws the items' depth alone, in a pass with the `depth_pipelines`: the opaque ones, then those with holes.
     void draw_depth(DrawContext& context, std::span<std::uint32_t const> items, glm::dvec3 const& camera,
-                    int projection, float slope_bias) const;
+                    int projection) const;
+    /// `slope_bias` [texels of depth for each unit of slope].
+    std::vector<RasterState> depth_pipelines(float slope_bias) const;
     bool has_masked() const { return has_masked_; }
     VkDescriptorSetLayout material_layout() const { return materials_->layout(); }
     static VertexLayout vertex_layout();

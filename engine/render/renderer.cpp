@@ -5,6 +5,7 @@
 #include "render/ground_light.h"
 #include "render/models/models.h"
 #include "render/passes/exposure.h"
+#include "render/switches.h"
 
 #include <cstring>
 #include <utility>
@@ -30,18 +31,57 @@ std::vector<shader::FrameConstants> supersample_constants(World const& world, Se
 
 } // namespace
 
-Renderer::Renderer(Device const& device, std::uint32_t frames_in_flight)
-    : device_(device), executor_(device, frames_in_flight), air_tables_(device), ceiling_(device),
+/// What is drawn into for the sun's shadows.
+struct Renderer::Fits {
+    ShadowFit shadow;
+    CeilingFit ceiling;
+};
+
+/// A frame, and all that its graph refers to.
+struct Renderer::Composed {
+    Composed(Renderer& by, World const& world, Settings const& settings, Extent extent, Fits const& fits,
+             double seconds)
+        : ceiling(by.ceiling_.of(fits.ceiling)),
+          constants(supersample_constants(world, settings, extent, fits.shadow, fits.ceiling)),
+          tables(by.air_tables_.of(air_model(settings.model))),
+          work(table_work(tables, constants.front().atmosphere, world.planet.name, settings.spread_tables,
+                          by.table_pace_)),
+          ground(by.scene_ ? ground_around(world, by.scene_->ground()) : planet_ground(world.planet)),
+          inputs{world,        settings, extent, by.scene_.get(), fits.shadow, ceiling,   constants,
+                 tables.model, ground,   tables.tables, work.slices, by.exposure_, seconds, *by.mean_, *by.picture_} {
+        build_frame(graph, inputs);
+    }
+    Composed(Composed const&) = delete;
+    Composed& operator=(Composed const&) = delete;
+
+    CeilingMap ceiling;
+    std::vector<shader::FrameConstants> constants; ///< one for each supersample
+    AirTableStore::Kept& tables;
+    TableWork work;
+    GroundAround ground;
+    FrameInputs inputs;
+    FrameGraph graph;
+};
+
+Renderer::Renderer(Device const& device, std::uint32_t frames_in_flight, Switches switches)
+    : device_(device), executor_(device, frames_in_flight), air_tables_(device), ceiling_(device), switches_(switches),
       exposure_(device, table_shape(1, 1), KEPT | VK_IMAGE_USAGE_TRANSFER_DST_BIT, "exposure"),
       seconds_(ADAPTED_AT_ONCE) {
     upload(device, exposure_, bytes_of(shader::ExposureState{1, 0, 0, 0}));
+    if (switches == Switches::when_ready && device.is_software()) rehearsal_ = std::make_unique<Rehearsal>(device);
 }
 
-Renderer::~Renderer() { vkDeviceWaitIdle(device_.handle()); }
+Renderer::~Renderer() {
+    executor_.stop_preparing();
+    vkDeviceWaitIdle(device_.handle());
+}
 
 void Renderer::set_scene(Scene const* scene, Placement const& placement, double planet_radius) {
+    executor_.stop_preparing();
     executor_.wait();
     ceiling_.discard();
+    shown_.reset();
+    prepared_.reset();
     scene_ = scene ? std::make_unique<GpuScene>(device_, *scene, placement, planet_radius) : nullptr;
 }
 
@@ -56,37 +96,55 @@ void Renderer::draw(World const& world, Settings const& settings, Extent extent)
     draw(world, settings, extent, {}, {});
 }
 
-void Renderer::draw(World const& world, Settings const& settings, Extent extent, Finish const& finish,
+Renderer::Fits Renderer::fit(World const& world, Settings const& settings) const {
+    if (!scene_) return {};
+    ShadowScene const shading{scene_->bounds(), scene_->world_from_scene()};
+    ShadowSettings const wanted{settings.cascades, settings.cascade_size, settings.shadow_reach};
+    int const size = settings.shadows || settings.shafts != "off" ? settings.ceiling_size : 0;
+    return {fit_cascades(shading, world.camera, world.to_sun, wanted),
+            fit_ceiling(shading, scene_->highest_altitude(), world.planet, world.to_sun, size)};
+}
+
+/// Those of the last picture as long as pipelines for the others are missing.
+Settings const& Renderer::settings_to_show(World const& world, Settings const& wanted, Extent extent) {
+    if (shown_ && *shown_ != wanted) {
+        Fits const fits = fit(world, wanted);
+        Composed const frame(*this, world, wanted, extent, fits, 0);
+        if (!executor_.prepare(frame.graph, Need::wanted)) return *shown_;
+    }
+    shown_ = wanted;
+    return *shown_;
+}
+
+/// Does ahead what the next switch behind a picture with these passes is likely to need.
+void Renderer::prepare_next(FrameGraph const& drawn, World const& world, Extent extent) {
+    if (prepared_ && same_choices(*prepared_, *shown_)) return;
+    prepared_ = shown_;
+    if (rehearsal_) rehearsal_->skip(drawn);
+    for (Settings const& next : one_choice_away(*shown_)) {
+        Fits const fits = fit(world, next);
+        Composed const frame(*this, world, next, extent, fits, 0);
+        executor_.prepare(frame.graph, Need::likely);
+        if (rehearsal_) rehearsal_->add(frame.graph);
+    }
+}
+
+void Renderer::draw(World const& world, Settings const& wanted, Extent extent, Finish const& finish,
                     PresentSync const& sync) {
     size_pictures(extent);
-    ShadowFit shadow;
-    CeilingFit ceiling_fit;
-    if (scene_) {
-        ShadowScene const shading{scene_->bounds(), scene_->world_from_scene()};
-        ShadowSettings const wanted{settings.cascades, settings.cascade_size, settings.shadow_reach};
-        shadow = fit_cascades(shading, world.camera, world.to_sun, wanted);
-        int const size = settings.shadows || settings.shafts != "off" ? settings.ceiling_size : 0;
-        ceiling_fit = fit_ceiling(shading, scene_->highest_altitude(), world.planet, world.to_sun, size);
-    }
-    if (!ceiling_.fits(ceiling_fit)) executor_.wait(), ceiling_.replace(ceiling_fit);
-    CeilingMap const ceiling = ceiling_.of(ceiling_fit);
-    auto const constants = supersample_constants(world, settings, extent, shadow, ceiling_fit);
-    AirModel const& model = air_model(settings.model);
-    AirTableStore::Kept& tables = air_tables_.of(model);
-    shader::Atmosphere const& air = constants.front().atmosphere;
-    table_pace_.note(executor_.timings(), model.steps);
-    TableWork const work = table_work(tables, air, world.planet.name, settings.spread_tables, table_pace_);
-    double const seconds = std::exchange(seconds_, ADAPTED_AT_ONCE);
-    GroundAround const ground = scene_ ? ground_around(world, scene_->ground()) : planet_ground(world.planet);
-    FrameInputs const inputs{world,  settings,      extent,      scene_.get(), shadow,  ceiling,   constants, model,
-                             ground, tables.tables, work.slices, exposure_,    seconds, *mean_,    *picture_};
-    FrameGraph graph;
-    build_frame(graph, inputs);
-    if (finish) finish(graph, graph.find("picture"));
-    executor_.submit(graph, sync);
-    ceiling_.finish(ceiling_fit);
-    finish_work(tables, air, world.planet.name, work);
-    tables_finished_ = tables.finished();
+    bool const at_once = switches_ == Switches::at_once;
+    Settings const& settings = at_once ? wanted : settings_to_show(world, wanted, extent);
+    settings_shown_ = at_once || settings == wanted;
+    Fits const fits = fit(world, settings);
+    if (!ceiling_.fits(fits.ceiling)) executor_.wait(), ceiling_.replace(fits.ceiling);
+    table_pace_.note(executor_.timings(), air_model(settings.model).steps);
+    Composed frame(*this, world, settings, extent, fits, std::exchange(seconds_, ADAPTED_AT_ONCE));
+    if (finish) finish(frame.graph, frame.graph.find("picture"));
+    executor_.submit(frame.graph, sync);
+    ceiling_.finish(fits.ceiling);
+    finish_work(frame.tables, frame.constants.front().atmosphere, world.planet.name, frame.work);
+    tables_ = &frame.tables;
+    if (!at_once) prepare_next(frame.graph, world, extent);
 }
 
 void Renderer::finish_again(Finish const& finish, PresentSync const& sync) {
@@ -121,7 +179,8 @@ shader::ExposureState Renderer::exposure() {
 GpuImage* Renderer::kept_image(std::string const& name) {
     if (name == "radiance") return mean_.get();
     if (name == "shadow_ceiling") return ceiling_.map();
-    return name == "picture" ? picture_.get() : air_tables_.find(name);
+    if (name == "picture") return picture_.get();
+    return tables_ ? tables_->find(name) : nullptr;
 }
 
 std::vector<std::byte> Renderer::image_bytes(std::string const& name) {

@@ -5,17 +5,26 @@
 #include "render/air_table_store.h"
 #include "render/executor.h"
 #include "render/frame.h"
+#include "render/rehearsal.h"
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 namespace alpenglow {
+
+/// When a change of the settings is seen that needs pipelines which nobody has made yet.
+enum class Switches {
+    at_once,    ///< every picture is of its settings, however long that takes
+    when_ready, ///< pictures keep the settings of those before until another thread has made the pipelines
+};
 
 /// Draws a world into a picture. Owns what outlives a frame: the tables of the air, the shadow ceiling, the mean,
 /// the picture, the scene.
 class Renderer {
 public:
-    explicit Renderer(Device const& device, std::uint32_t frames_in_flight = 1);
+    explicit Renderer(Device const& device, std::uint32_t frames_in_flight = 1, Switches switches = Switches::at_once);
+    /// Waits for the device, and for a pipeline that is just being made.
     ~Renderer();
 
     /// Replaces the scene; nullptr takes it away.
@@ -23,7 +32,7 @@ public:
     GpuScene const* scene() const { return scene_.get(); }
 
     /// Draws and submits a frame; `picture` and `radiance` wait for it. Tables of the air are made anew when the air
-    /// has changed: at once, or over several frames where the setting `spread_tables` says so.
+    /// has changed: at once, or over several frames where the setting `spread_tables` says so. Throws Error.
     void draw(World const& world, Settings const& settings, Extent extent);
     /// As `draw`, then lets `finish` add passes behind the picture, such as the panel and the swapchain's image.
     using Finish = std::function<void(FrameGraph&, ImageId picture)>;
@@ -37,7 +46,15 @@ public:
     /// The next frame makes the map of the shadow ceiling anew; for measuring.
     void discard_shadow_ceiling() { ceiling_.discard(); }
     /// Whether the last picture was of finished tables; another frame goes on with them.
-    bool tables_finished() const { return tables_finished_; }
+    bool tables_finished() const { return !tables_ || tables_->finished(); }
+    /// Whether the last picture has the settings that it was asked for; another frame may.
+    bool settings_shown() const { return settings_shown_; }
+    /// Whether all pipelines are there that the next switch is likely to need; for measuring.
+    bool switches_prepared() { return executor_.prepared(); }
+    /// And, where shaders are compiled when they run, whether that is done too.
+    bool switches_rehearsed() const { return !rehearsal_ || rehearsal_->idle(); }
+    /// How many pipelines frames had to make themselves or to wait for, since the start.
+    std::size_t pipelines_missed() const { return executor_.pipelines_missed(); }
 
     /// Lets the next picture's automatic exposure go on from that of the picture before, `seconds` ago. A picture before
     /// which nobody says so is adapted at once.
@@ -52,6 +69,11 @@ public:
     std::vector<std::byte> image_bytes(std::string const& name);
 
 private:
+    struct Fits;
+    struct Composed;
+    Fits fit(World const& world, Settings const& settings) const;
+    Settings const& settings_to_show(World const& world, Settings const& wanted, Extent extent);
+    void prepare_next(FrameGraph const& drawn, World const& world, Extent extent);
     GpuImage* kept_image(std::string const& name);
     void size_pictures(Extent extent);
 
@@ -61,7 +83,12 @@ private:
     AirTableStore air_tables_;
     CeilingStore ceiling_;
     TablePace table_pace_;
-    bool tables_finished_ = true;
+    AirTableStore::Kept const* tables_ = nullptr; ///< of the last picture's model
+    Switches switches_;
+    std::optional<Settings> shown_;    ///< of the last picture; none: the next one is of its settings
+    std::optional<Settings> prepared_; ///< pipelines of what is one choice away from these are made ahead
+    bool settings_shown_ = true;
+    std::unique_ptr<Rehearsal> rehearsal_; ///< where shaders are compiled when they run and nobody is to notice
     GpuImage exposure_;
     std::unique_ptr<GpuImage> mean_, picture_;
     double seconds_; ///< since the picture before

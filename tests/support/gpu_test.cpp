@@ -41,7 +41,7 @@ Device const& GpuTest::device() {
 }
 
 void GpuTest::TearDown() {
-    auto const& messages = device().messages();
+    std::vector<std::string> const messages = device().messages();
     for (std::size_t i = seen_; i < messages.size(); ++i) ADD_FAILURE() << messages[i];
 }
 

@@ -18,6 +18,9 @@ std::uint32_t side_of(std::uint32_t pixels, int stride) {
     return stride == 1 ? pixels : (pixels - 1) / static_cast<std::uint32_t>(stride) + 2;
 }
 
+/// Of a layer without air. lavapipe compiles a shader anew for images whose sides are powers of two.
+constexpr Extent NO_AIR{3, 3};
+
 class AirPasses {
 public:
     AirPasses(FrameGraph& graph, FrameInputs const& in, ConstantsId frame, AirTables const& tables, int sample)
@@ -40,7 +43,7 @@ public:
 
 private:
     Extent extent(int stride) const {
-        return any_ ? Extent{side_of(in_.extent.width, stride), side_of(in_.extent.height, stride)} : Extent{1, 1};
+        return any_ ? Extent{side_of(in_.extent.width, stride), side_of(in_.extent.height, stride)} : NO_AIR;
     }
 
     AirLayer add_layer(int stride) {

@@ -21,26 +21,25 @@ GBuffer find_images(FrameGraph const& graph) {
             graph.find("depth")};
 }
 
+RasterState scene_pipeline(GpuScene const& scene) {
+    return {.vertex = shaders::mesh_vert,
+            .fragment = shaders::gbuffer_frag,
+            .vertices = GpuScene::vertex_layout(),
+            .set1 = scene.material_layout()};
+}
+
+RasterState planet_pipeline() { return {.vertex = shaders::fullscreen_vert, .fragment = shaders::planet_frag}; }
+
 void draw_scene(DrawContext& context, FrameInputs const& in) {
     double const aspect = static_cast<double>(in.extent.width) / in.extent.height;
     std::vector<std::uint32_t> visible;
     for (std::uint32_t i = 0; i < in.scene->items().size(); ++i) {
         if (in_view(in.world.camera, aspect, in.scene->items()[i].bounds)) visible.push_back(i);
     }
-    RasterState state;
-    state.vertex = shaders::mesh_vert;
-    state.fragment = shaders::gbuffer_frag;
-    state.vertices = GpuScene::vertex_layout();
-    state.set1 = in.scene->material_layout();
-    context.use(state);
     in.scene->draw(context, visible, in.world.camera.position, PROJECTION_VIEW, GpuScene::Which::all, true);
 }
 
 void draw_planet(DrawContext& context) {
-    RasterState state;
-    state.vertex = shaders::fullscreen_vert;
-    state.fragment = shaders::planet_frag;
-    context.use(state);
     vkCmdSetCullMode(context.commands(), VK_CULL_MODE_NONE);
     vkCmdDraw(context.commands(), 3, 1, 0, 0);
 }
@@ -56,9 +55,12 @@ GBuffer add_gbuffer(FrameGraph& graph, FrameInputs const& in, ConstantsId frame,
     pass.depth = gbuffer.depth;
     pass.clear_depth = 0.0f;
     pass.slots = {constants(FRAME_SLOT, frame)};
+    if (in.scene) pass.pipelines.push_back(scene_pipeline(*in.scene));
+    if (!in.world.studio) pass.pipelines.push_back(planet_pipeline());
     pass.draw = [&in](DrawContext& context) {
-        if (in.scene) draw_scene(context, in);
-        if (!in.world.studio) draw_planet(context);
+        std::size_t pipeline = 0;
+        if (in.scene) context.use(pipeline++), draw_scene(context, in);
+        if (!in.world.studio) context.use(pipeline), draw_planet(context);
     };
     graph.add(std::move(pass));
     return gbuffer;

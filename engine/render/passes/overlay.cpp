@@ -45,6 +45,10 @@ void Overlay::add(FrameGraph& graph, ImageId window, OverlayMesh mesh, bool deco
     pass.name = "overlay";
     pass.colors = {window};
     pass.slots = {sampled(OVERLAY_TEXTURE_SLOT, graph.import(texture_, "overlay_texture", ShowScale::unit, true))};
+    pass.pipelines = {RasterState{.vertex = shaders::overlay_vert,
+                                  .fragment = shaders::overlay_frag,
+                                  .vertices = vertex_layout(),
+                                  .blend = true}};
     pass.draw = [this, mesh = std::move(mesh), decode](DrawContext& context) { draw(context, mesh, decode); };
     graph.add(std::move(pass));
 }
@@ -56,12 +60,7 @@ void Overlay::draw(DrawContext& context, OverlayMesh const& mesh, bool decode) {
     fill(device_, buffers.vertices, mesh.vertices, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, "overlay vertices");
     fill(device_, buffers.indices, mesh.indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT, "overlay indices");
 
-    RasterState state;
-    state.vertex = shaders::overlay_vert;
-    state.fragment = shaders::overlay_frag;
-    state.vertices = vertex_layout();
-    state.blend = true;
-    context.use(state);
+    context.use(0);
     context.push(bytes_of(shader::OverlayPush{2.0f / mesh.size, decode}));
     VkCommandBuffer const commands = context.commands();
     VkBuffer const vertices = buffers.vertices->handle();

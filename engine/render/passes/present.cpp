@@ -12,11 +12,9 @@ void add_present(FrameGraph& graph, ImageId picture, ImageId window, bool decode
     pass.colors = {window};
     pass.clear_colors = true;
     pass.slots = {sampled(PRESENT_PICTURE_SLOT, picture)};
+    pass.pipelines = {RasterState{.vertex = shaders::fullscreen_vert, .fragment = shaders::present_frag}};
     pass.draw = [decode](DrawContext& context) {
-        RasterState state;
-        state.vertex = shaders::fullscreen_vert;
-        state.fragment = shaders::present_frag;
-        context.use(state);
+        context.use(0);
         context.push(bytes_of(shader::PresentPush{decode}));
         vkCmdDraw(context.commands(), 3, 1, 0, 0);
     };

@@ -11,7 +11,7 @@ namespace {
 void draw_from_above(DrawContext& context, FrameInputs const& in) {
     std::vector<std::uint32_t> items(in.scene->items().size());
     std::iota(items.begin(), items.end(), 0u);
-    in.scene->draw_depth(context, items, in.ceiling.fit.origin, PROJECTION_VIEW, 0);
+    in.scene->draw_depth(context, items, in.ceiling.fit.origin, PROJECTION_VIEW);
 }
 
 /// The frame's constants, with the scene seen from above in place of the camera's view.
@@ -30,7 +30,7 @@ ImageId add_shadow_ceiling(FrameGraph& graph, FrameInputs const& in) {
     ImageId const heights = graph.add_image("terrain_height", {VK_FORMAT_D32_SFLOAT, size}, ShowScale::shadow);
     ConstantsId const above = constants_from_above(graph, in);
     graph.add(RasterPass{"terrain_height", {}, false, heights, 1.0f, 0, {constants(FRAME_SLOT, above)},
-                         [&in](DrawContext& context) { draw_from_above(context, in); }});
+                         in.scene->depth_pipelines(0), [&in](DrawContext& context) { draw_from_above(context, in); }});
     constexpr std::uint32_t PER_GROUP = CEILING_COLUMNS / WORKGROUP_SIZE;
     graph.add(ComputePass{"shadow_ceiling",
                           shaders::shadow_ceiling_comp,

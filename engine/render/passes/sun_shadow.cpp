@@ -20,7 +20,7 @@ std::vector<std::uint32_t> casters(FrameInputs const& in, CascadeFit const& casc
 void draw_casters(DrawContext& context, FrameInputs const& in, std::size_t cascade) {
     std::vector<std::uint32_t> const items = casters(in, in.shadow.cascades[cascade]);
     int const projection = PROJECTION_CASCADE + static_cast<int>(cascade);
-    in.scene->draw_depth(context, items, in.world.camera.position, projection, CASTER_SLOPE_BIAS);
+    in.scene->draw_depth(context, items, in.world.camera.position, projection);
 }
 
 } // namespace
@@ -31,9 +31,12 @@ ImageId add_sun_shadow(FrameGraph& graph, FrameInputs const& in, ConstantsId fra
     auto const layers = any ? static_cast<std::uint32_t>(in.shadow.cascades.size()) : 1u;
     ImageId const cascades = graph.add_image("shadow", {VK_FORMAT_D32_SFLOAT, {side, side}, layers}, ShowScale::shadow);
     for (std::uint32_t layer = 0; layer < layers; ++layer) {
-        RasterPass pass{"sun_shadow",       {}, false, cascades, 1.0f, layer, {constants(FRAME_SLOT, frame)},
-                        [](DrawContext&) {}};
-        if (any) pass.draw = [&in, layer](DrawContext& context) { draw_casters(context, in, layer); };
+        RasterPass pass{"sun_shadow", {}, false, cascades, 1.0f, layer, {constants(FRAME_SLOT, frame)},
+                        {},           [](DrawContext&) {}};
+        if (any) {
+            pass.pipelines = in.scene->depth_pipelines(CASTER_SLOPE_BIAS);
+            pass.draw = [&in, layer](DrawContext& context) { draw_casters(context, in, layer); };
+        }
         graph.add(std::move(pass));
     }
     return cascades;
