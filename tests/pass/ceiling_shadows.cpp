@@ -97,8 +97,8 @@ double edge_seen(std::vector<double> const& visibility, auto const& place_of) {
 
 } // namespace
 
-// The camera flies away from a place on a shadow's edge while the last cascade leaves it to the ceiling, in steps of a third of the
-// blend between them.
+// The camera flies away from a place on a shadow's edge until the last cascade leaves it to the ceiling, in steps as wide as the blend
+// between them.
 TEST_F(CeilingShadows, take_over_from_the_last_cascade_without_a_step) {
     Scene scene = scene_of({matte(glm::vec3(0.5))});
     add_plane(scene, 3000);
@@ -106,10 +106,10 @@ TEST_F(CeilingShadows, take_over_from_the_last_cascade_without_a_step) {
     put(scene, stand_);
     settings_.shadow_reach = REACH;
     settings_.cascades = 1;
-    settings_.cascade_size = 2048;
+    settings_.cascade_size = 4096;
     auto const edges = [&](Settings const& settings) {
         std::vector<double> result;
-        for (double away = 0.9 * REACH; away < 1.11 * REACH; away += 0.02 * REACH) {
+        for (double away = 0.82 * REACH; away < 1.25 * REACH; away += 0.06 * REACH) {
             Camera const camera = stand_.camera({away, 600, EDGE}, {0, 0, EDGE}, std::atan(2.6 * AROUND / away));
             std::vector<double> const seen = visibility(camera, sun_at(SUN_ELEVATION, 0), settings);
             result.push_back(edge_seen(seen, [&](std::uint32_t i) {

@@ -82,7 +82,7 @@ TEST_F(ShaftsPass, two_occluders_on_one_ray_are_worth_what_the_integral_says) {
 }
 
 TEST_F(ShaftsPass, casters_before_all_that_the_camera_sees_are_kept) {
-    // Neither stands where a map that is fitted to the view begins: one hangs beside the camera, 3 m from its rays, the other eight
+    // Neither stands where a map that is fitted to the view begins: one hangs beside the camera, 8 m from its rays, the other eight
     // kilometres towards the sun. Without either of them the rays would be a tenth brighter at least.
     constexpr double BACK = 300;
     stand_.planet.sun_angular_radius = 0; // as in the integral; half a degree is 70 m wide behind the far one
@@ -90,7 +90,7 @@ TEST_F(ShaftsPass, casters_before_all_that_the_camera_sees_are_kept) {
     Scene scene = scene_of({black()});
     add_quad(scene, {BACK, 0, 0}, {0, 0, 40}, {0, 40, 0});
     Scene near = scene, far = scene;
-    auto const add_near = [&](Scene& to) { add_quad(to, eye + 25.0 * east + 3.0 * to_sun, 25.0 * east, 2.5 * across); };
+    auto const add_near = [&](Scene& to) { add_quad(to, eye + 15.0 * east + 8.0 * to_sun, 25.0 * east, 5.0 * across); };
     auto const add_far = [&](Scene& to) { add_quad(to, eye + 150.0 * east + 8000.0 * to_sun, 60.0 * east, 60.0 * across); };
     add_near(scene), add_near(near), add_far(scene), add_far(far);
     World const world = stand_.view(stand_.camera(eye, {BACK, 5, 0}, glm::radians(4.0)), to_sun);
