@@ -126,12 +126,18 @@ GltfWriter roof() {
     return mesh.gltf("roof", STONE);
 }
 
-/// Plates high before the camera and above what it sees, and a small one close to it.
+/// Rows of plates high above the camera, beyond what it sees, and a small plate close to it.
 GltfWriter louvre() {
+    constexpr float BOTTOM = 600, TOP = 603, HALF = 500, ROW = 60;
     BlockMesh mesh;
-    for (int i = -12; i <= 12; ++i) {
-        float const z = 34 * float(i) + some(-8, 8, 51, i), half = some(9, 14, 52, i);
-        mesh.add_slab({450, 600, z - half}, {1250, 603, z + half});
+    int plate = 0;
+    for (float x = -200; x < 1240; x += ROW) {
+        float const width = ROW - some(12, 28, 51, ++plate);
+        for (float z = -HALF + some(0, 60, 52, plate); z < HALF;) {
+            float const end = std::min(z + some(60, 200, 53, ++plate), HALF);
+            mesh.add_slab({x, BOTTOM, z}, {x + width, TOP, end});
+            z = end + some(15, 40, 54, plate);
+        }
     }
     mesh.add_slab({4, 12, -3}, {16, 12.25f, 3});
     return mesh.gltf("louvre", WOOD);

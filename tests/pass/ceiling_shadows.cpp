@@ -109,7 +109,7 @@ TEST_F(CeilingShadows, take_over_from_the_last_cascade_without_a_step) {
     settings_.cascade_size = 4096;
     auto const edges = [&](Settings const& settings) {
         std::vector<double> result;
-        for (double away = 0.7 * REACH; away < 1.6 * REACH; away += 0.06 * REACH) {
+        for (double away = 0.82 * REACH; away < 1.25 * REACH; away += 0.06 * REACH) {
             Camera const camera = stand_.camera({away, 600, EDGE}, {0, 0, EDGE}, std::atan(2.6 * AROUND / away));
             std::vector<double> const seen = visibility(camera, sun_at(SUN_ELEVATION, 0), settings);
             result.push_back(edge_seen(seen, [&](std::uint32_t i) {

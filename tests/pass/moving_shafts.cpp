@@ -8,8 +8,8 @@ using namespace alpenglow::test;
 
 namespace {
 
-constexpr Extent EXTENT{64, 36};
-constexpr int FRAMES = 24;
+constexpr Extent EXTENT{40, 22};
+constexpr int FRAMES = 60;
 constexpr double SUN_STEP = 0.05, CAMERA_STEP = 1; // from frame to frame [degrees, m]
 
 /// A forest of pillars in the east, beside what the camera sees: their shadows cross its rays.
