@@ -17,6 +17,8 @@
 #define AIR_COARSE_INSCATTERED_SLOT 5
 #define AIR_COARSE_TRANSMITTANCE_SLOT 6
 
+#define AIR_FILL_ROWS 8                  // of coarse texels that an invocation of air_fill deals with
+
 #define AIR_WORK_SLOT 9                  // texels that air_fill leaves to air_repair: x and y, 16 bits each
 
 SHADER_NAMESPACE_BEGIN

@@ -27,11 +27,9 @@ float faint_radiance() {
     return FAINT_SHARE * luminance(light.sky) / PI;
 }
 
-void main() {
-    ivec2 corner = ivec2(gl_GlobalInvocationID.xy), size = imageSize(inscattered_image);
-    if (any(greaterThanEqual(2 * corner, size))) return;
+void fill_cell(ivec2 corner, float faint) {
+    ivec2 size = imageSize(inscattered_image);
     CoarseCell cell = read_coarse_cell(corner, 2 * push.stride);
-    float faint = faint_radiance();
     for (int i = 0; i < 4; ++i) {
         ivec2 part = ivec2(i & 1, i >> 1), texel = 2 * corner + part;
         if (any(greaterThanEqual(texel, size))) continue;
@@ -41,4 +39,12 @@ void main() {
         imageStore(transmittance_image, texel, vec4(air.transmittance, 1.0));
         if (error > 1.0 && i > 0) list_work(uint(texel.x) | uint(texel.y) << 16);
     }
+}
+
+void main() {
+    ivec2 corner = ivec2(gl_GlobalInvocationID.xy) * ivec2(1, AIR_FILL_ROWS);
+    float faint = faint_radiance();
+    int row = 0;
+    do fill_cell(corner + ivec2(0, row), faint);
+    while (++row < AIR_FILL_ROWS);
 }

@@ -118,7 +118,7 @@ protected:
 // The pass's own tolerances bound interpolation's error by what the pixels around lead to expect. That can be off by a small factor
 // in one pixel of a thousand, and by twice that in the worst, where a shaft's edge lies between pixels that don't know of it.
 TEST_F(AirRepair, is_as_close_to_air_marched_everywhere_as_its_tolerance_says) {
-    for (Level const& level : {Level{"default", 0.007}, Level{"fast", 0.05}}) {
+    for (Level const& level : {Level{"default", 0.006}, Level{"fast", 0.05}}) {
         for (Case const& given : {masts(), ridge(), wall()}) {
             put(given.scene, stand_);
             AirLayers const exact = air(given, level.shafts, 1);

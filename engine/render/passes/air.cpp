@@ -9,7 +9,7 @@ namespace alpenglow {
 namespace {
 
 /// What interpolated light may be off by, as a share of the air's light or of what is behind it: docs/shafts.md.
-constexpr float TOLERANCE = 0.007f, FAST_TOLERANCE = 0.05f;
+constexpr float TOLERANCE = 0.006f, FAST_TOLERANCE = 0.05f;
 
 constexpr std::size_t WORK_LIST_MOST = std::size_t{WORK_LIST_MOST_GROUPS} * WORK_LIST_THREADS;
 
@@ -20,6 +20,12 @@ std::uint32_t side_of(std::uint32_t pixels, int stride) {
 
 /// Of a layer without air. lavapipe compiles a shader anew for images whose sides are powers of two.
 constexpr Extent NO_AIR{3, 3};
+
+/// An invocation fills cells of 2 x 2 texels, one below the other.
+Extent fill_threads(Extent texels) {
+    constexpr std::uint32_t ROWS = 2 * AIR_FILL_ROWS;
+    return {(texels.width + 1) / 2, (texels.height + ROWS - 1) / ROWS};
+}
 
 class AirPasses {
 public:
@@ -36,7 +42,7 @@ public:
                                        sampled(AIR_CEILING_SLOT, obstacles.shadow.ceiling),
                                        sampled(AIR_SHADOW_BOUNDS_SLOT, obstacles.shadow_bounds, NEAREST_CLAMP)};
         AirLayer layer = add_layer(stride);
-        add_pass("air", in_.model.air, layer, shades, ImageUse::storage_write, stride);
+        add_pass("air", in_.model.air, layer, shades, ImageUse::storage_write, stride, extent(stride));
         for (; stride > 1; stride /= 2) layer = add_between(layer, shades, stride / 2);
         return layer;
     }
@@ -61,21 +67,21 @@ private:
         add_pass("air_fill", in_.model.air_fill, made,
                  {fills(AIR_WORK_SLOT, list), sampled(AIR_COARSE_INSCATTERED_SLOT, coarse.inscattered, NEAREST_CLAMP),
                   sampled(AIR_COARSE_TRANSMITTANCE_SLOT, coarse.transmittance, NEAREST_CLAMP)},
-                 ImageUse::storage_write, stride);
+                 ImageUse::storage_write, stride, fill_threads(extent(stride)));
         shades.push_back(works_off(AIR_WORK_SLOT, list));
-        add_pass("air_repair", in_.model.air_repair, made, shades, ImageUse::storage_update, stride);
+        add_pass("air_repair", in_.model.air_repair, made, shades, ImageUse::storage_update, stride, {});
         return made;
     }
 
     void add_pass(std::string name, ShaderCode const& shader, AirLayer const& made, std::vector<Slot> slots, ImageUse use,
-                  int stride) {
+                  int stride, Extent threads) {
         auto const out = use == ImageUse::storage_update ? updated : stored;
         slots.insert(slots.end(), slots_.begin(), slots_.end());
         slots.push_back(out(AIR_INSCATTERED_SLOT, made.inscattered));
         slots.push_back(out(AIR_TRANSMITTANCE_SLOT, made.transmittance));
         int const variant = in_.model.air_variant ? in_.model.air_variant(in_) : 0;
         shader::AirPush const push{stride, in_.settings.shafts == "fast" ? FAST_TOLERANCE : TOLERANCE};
-        graph_.add(ComputePass{std::move(name), shader, std::move(slots), extent(stride), bytes_of(push), variant});
+        graph_.add(ComputePass{std::move(name), shader, std::move(slots), threads, bytes_of(push), variant});
     }
 
     FrameGraph& graph_;
