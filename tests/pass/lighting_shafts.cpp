@@ -104,8 +104,8 @@ TEST_F(ShaftsPass, casters_before_all_that_the_camera_sees_are_kept) {
         glm::dvec3 const expected = reference::sunlit_air(air(), &both, path);
         for (reference::Occluders const* const dropped : {&without_far, &without_near})
             EXPECT_GT(reference::sunlit_air(air(), dropped, path).g, 1.1 * expected.g);
-        // Of some 160 m in the light four edges are off by up to half a texel of 0.9 m each.
-        EXPECT_LT(largest_relative(pixel(drawn, at.x, at.y), expected), 0.015);
+        // Of some 160 m in the light four edges are off by up to half a texel of 0.9 m each; and 0.6 % is left to interpolation.
+        EXPECT_LT(largest_relative(pixel(drawn, at.x, at.y), expected), 0.02);
     }
 }
 

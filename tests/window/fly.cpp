@@ -66,7 +66,7 @@ protected:
     ByteImage still_screen() {
         ByteImage before = screen();
         auto const unchanged = [&] {
-            std::this_thread::sleep_for(std::chrono::milliseconds(450));
+            std::this_thread::sleep_for(std::chrono::milliseconds(1000));
             ByteImage now = screen();
             bool const same = now.rgba == before.rgba;
             before = std::move(now);
