@@ -1,19 +1,19 @@
 #include "render/frame_constants.h"
 
+#include "atmosphere/sun_share.glsl"
 #include "interop/display.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include <glm/ext/scalar_constants.hpp>
-
 namespace alpenglow {
 
 namespace {
 
 constexpr int EXACT_CLEAR_SHARE_PERCENT = 8; ///< cells where nothing shades the air, for each exact one: 64 for 800
-constexpr int FAST_LOOKS = 8, DEFAULT_LOOKS = 24, EXACT_LOOKS = 8; ///< into the cascades for each of the march's cells: docs/shafts.md
+constexpr int FAST_LOOKS = 8, DEFAULT_LOOKS = 24; ///< into the cascades for each of the march's cells: docs/shafts.md
+constexpr int EXACT_LOOKS = 8; ///< to the sun's disc from each place; to a point one is enough
 
 glm::mat4 view_clip(Camera const& camera, Extent extent, glm::dvec2 const& jitter) {
     double const scale = 1.0 / std::tan(0.5 * camera.vertical_fov);
@@ -70,15 +70,23 @@ int flags_of(World const& world, Settings const& settings, bool cascades) {
     return flags;
 }
 
-/// Where the disc's share up to it is `share`: across, of its radius.
-double across_disc(double share) {
-    double low = -1, high = 1;
-    while (high - low > 1e-6) {
-        double const middle = 0.5 * (low + high);
-        double const area = 0.5 + (middle * std::sqrt(1 - middle * middle) + std::asin(middle)) / glm::pi<double>();
-        (area < share ? low : high) = middle;
+/// Where that share of the disc lies on one side: of its radius, from its centre.
+float across_disc(float share) {
+    float low = -1, high = 1;
+    for (int halvings = 0; halvings < 20; ++halvings) {
+        float const middle = 0.5f * (low + high);
+        (shader::disc_share_above(middle) < share ? low : high) = middle;
     }
     return low;
+}
+
+void set_disc_slices(shader::FrameConstants& frame) {
+    static std::array const slices = [] {
+        std::array<float, DISC_SLICES> across;
+        for (int i = 0; i < DISC_SLICES; ++i) across[i] = across_disc((static_cast<float>(i) + 0.5f) / DISC_SLICES);
+        return across;
+    }();
+    std::ranges::copy(slices, frame.disc_across);
 }
 
 void set_samples(shader::FrameConstants& frame, Settings const& settings) {
@@ -134,7 +142,7 @@ shader::FrameConstants make_frame_constants(World const& world, Settings const& 
     frame.pixel_angle = static_cast<float>(2.0 * ty / size.y);
     frame.flags = flags_of(world, settings, !shadow.cascades.empty());
     set_samples(frame, settings);
-    for (int i = 0; i < DISC_SLICES; ++i) frame.disc_across[i] = static_cast<float>(across_disc((i + 0.5) / DISC_SLICES));
+    set_disc_slices(frame);
     frame.sample_index = sample_index;
     return frame;
 }

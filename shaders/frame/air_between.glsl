@@ -1,4 +1,4 @@
-// The air's light between pixels whose light is known, and how far off that may be. Included by the pass `air_repair`, whose
+// The air's light between pixels whose light is known, and how far off that may be. Included by the pass `air_fill`, whose
 // `push` it reads.
 #ifndef ALPENGLOW_FRAME_AIR_BETWEEN
 #define ALPENGLOW_FRAME_AIR_BETWEEN

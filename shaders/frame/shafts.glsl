@@ -93,11 +93,15 @@ vec2 bounds_around(Stretch stretch, float margin) {
     return texelFetch(shadow_bounds, bounds_origin(side, level, int(stretch.layer)) + block, 0).rg;
 }
 
-// The point of the sun's disc that look `i` of `n` of a cell goes to: with the looks' places in the cell a lattice, which moves on
-// from cell to cell.
+const int LATTICE_STEP = 5;          // tuned: has no divisor in common with 8 or 24 looks and keeps their points apart
+const float GOLDEN_SHARE = 0.618034; // (sqrt(5) - 1) / 2: its multiples, without their whole parts, stay far from each other
+const int CELL_STEP = 119;           // slices: GOLDEN_SHARE of all
+
+// The point of the sun's disc that look `i` of `n` of a cell of that number goes to: with the looks' places in the cell a lattice,
+// which moves on from cell to cell.
 vec2 disc_point(int i, int n, int cell) {
-    float across = frame.disc_across[(5 * i * (DISC_SLICES / n) + 119 * cell) % DISC_SLICES];
-    return vec2(across, sqrt(1.0 - across * across) * (2.0 * fract(0.618034 * float(i + n * cell)) - 1.0));
+    float across = frame.disc_across[(LATTICE_STEP * i * (DISC_SLICES / n) + CELL_STEP * cell) % DISC_SLICES];
+    return vec2(across, sqrt(1.0 - across * across) * (2.0 * fract(GOLDEN_SHARE * float(i + n * cell)) - 1.0));
 }
 
 // A look from the share x of a stretch, in a soft sun to a point of its disc, past what casts a shadow at a depth. What the point's
@@ -118,7 +122,7 @@ void add_look(inout Seen seen, float v, float x) {
 }
 
 // Of a stretch between two distances [m] from the camera before the last cascade fades, by `frame.shaft_looks` at even places, each at
-// the share `dither` of its part. Stretches that are lit or dark as a whole cost one look.
+// the share `dither` of its part. `cell`: number on the ray. Stretches that are lit or dark as a whole cost one look.
 Seen seen_near(ShaftRay ray, float begin, float end, float dither, int cell) {
     Stretch stretch = stretch_between(ray, begin, end);
     float caster = 0.0, blur = 0.0, keep = 0.0;
