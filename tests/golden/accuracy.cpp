@@ -2,8 +2,7 @@
 #include "image/exr.h"
 #include "sandbox/accuracy_document.h"
 #include "support/files.h"
-
-#include <gtest/gtest.h>
+#include "support/stage_test.h"
 
 using namespace alpenglow;
 namespace fs = std::filesystem;
@@ -12,12 +11,6 @@ namespace {
 
 fs::path const SOURCE = ALPENGLOW_SOURCE;
 constexpr Extent SMALL{48, 32};
-
-DrawOptions validated() {
-    DrawOptions options;
-    options.validate = true;
-    return options;
-}
 
 View comparison_view(std::string const& name) {
     View view = load_view(SOURCE / "assets/views/comparison" / (name + ".json"));
@@ -40,9 +33,11 @@ void write_reference(Stage& stage, View const& view, fs::path const& file, float
     write_exr(file, record);
 }
 
+class Accuracy : public test::StageTest {};
+
 } // namespace
 
-TEST(Accuracy, comparison_views_come_in_the_order_of_the_published_table) {
+TEST_F(Accuracy, comparison_views_come_in_the_order_of_the_published_table) {
     std::vector<std::string> names;
     for (fs::path const& file : comparison_views()) names.push_back(file.stem().string());
     EXPECT_EQ(names, (std::vector<std::string>{"ground-dawn", "ground-sunrise", "ground-noon", "plane-dawn", "plane-sunrise", "plane-noon",
@@ -51,9 +46,9 @@ TEST(Accuracy, comparison_views_come_in_the_order_of_the_published_table) {
                                                "terrain-valley-dawn"}));
 }
 
-TEST(Accuracy, errors_are_against_the_reference) {
+TEST_F(Accuracy, errors_are_against_the_reference) {
     test::TemporaryFolder const folder;
-    Stage stage{validated()};
+    Stage& stage = this->stage();
     View const view = comparison_view("plane-noon");
     write_reference(stage, view, folder.path() / "plane-noon.exr", 1);
     ViewReference const same = load_reference(folder.path(), "views/plane-noon.json");
@@ -75,44 +70,37 @@ TEST(Accuracy, errors_are_against_the_reference) {
         if (i % 4 != 3) squares += difference * difference;
     }
     EXPECT_NEAR(brighter.rmse, std::sqrt(squares / (3.0 * static_cast<double>(SMALL.pixels()))), 1e-6 * brighter.rmse);
-    stage.require_no_messages();
 }
 
-TEST(Accuracy, references_that_are_of_no_use_are_refused) {
+TEST_F(Accuracy, references_that_are_of_no_use_are_refused) {
     test::TemporaryFolder const folder;
     fs::path const file = folder.path() / "space.exr";
     auto const expect_refused = [&](std::vector<std::string> const& parts) {
         test::expect_error(ErrorKind::bad_input, parts, [&] { load_reference(folder.path(), "views/space.json"); });
     };
     expect_refused({"space has no reference", "space.exr", "alpenglow reference views/space.json --size 320x180 --out " + folder.path().string()});
-    Stage stage{validated()};
     View const view = comparison_view("space");
-    write_reference(stage, view, file, 0);
+    write_reference(stage(), view, file, 0);
     expect_refused({"is black"});
-    write_reference(stage, view, file, NAN);
+    write_reference(stage(), view, file, NAN);
     expect_refused({"not finite"});
-    write_reference(stage, view, file, 1, {{"noise_flip", "0.1"}});
+    write_reference(stage(), view, file, 1, {{"noise_flip", "0.1"}});
     expect_refused({"has no noise_rmse"});
-    write_reference(stage, view, file, 1, {{"noise_flip", "low"}, {"noise_rmse", "1"}});
+    write_reference(stage(), view, file, 1, {{"noise_flip", "low"}, {"noise_rmse", "1"}});
     expect_refused({"has no noise_flip"});
 }
 
 /// Two views; all: alpenglow evaluate --check docs/accuracy.md.
-class RecordedAccuracy : public testing::Test {
+class RecordedAccuracy : public test::StageTest {
 protected:
     /// What is wrong with a view's errors, as the program checks them; empty: nothing.
     std::string objection(View const& view) {
         std::vector<RecordedError> const record = recorded_errors(read_text_file(SOURCE / "docs/accuracy.md"));
         ViewReference const reference = load_reference(SOURCE / "assets/references", view.name + ".json");
-        RecordTolerance const tolerance = record_tolerance(stage_.device().is_software());
-        return difference_from_record(evaluated(stage_, view, reference), record, tolerance).value_or("");
+        RecordTolerance const tolerance = record_tolerance(stage().device().is_software());
+        return difference_from_record(evaluated(stage(), view, reference), record, tolerance).value_or("");
     }
-    void TearDown() override { stage_.require_no_messages(); }
-
-    Stage stage_{validated()};
 };
-
-TEST_F(RecordedAccuracy, holds_over_terrain) { EXPECT_EQ(objection(comparison_view("terrain-12km")), ""); }
 
 TEST_F(RecordedAccuracy, holds_in_the_air_and_would_notice) {
     View const view = comparison_view("plane-sunrise");
@@ -124,3 +112,5 @@ TEST_F(RecordedAccuracy, holds_in_the_air_and_would_notice) {
     once.settings.multiple_scattering = false;
     EXPECT_NE(objection(once), "") << "without multiple scattering";
 }
+
+TEST_F(RecordedAccuracy, holds_over_terrain) { EXPECT_EQ(objection(comparison_view("terrain-12km")), ""); }

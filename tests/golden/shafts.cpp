@@ -1,7 +1,6 @@
 #include "sandbox/shaft_error.h"
 #include "support/files.h"
-
-#include <gtest/gtest.h>
+#include "support/stage_test.h"
 
 using namespace alpenglow;
 
@@ -12,16 +11,15 @@ constexpr Extent SIZE{240, 135};
 /// What docs/shafts.md promises of shafts=default on these scenes.
 constexpr double MOST_FLIP = 0.006, MOST_MASKED = 0.015, MOST_RMSE = 0.005, MOST_P999 = 0.045;
 
-class ShaftQuality : public testing::TestWithParam<char const*> {
+class ShaftQuality : public test::StageTest, public testing::WithParamInterface<char const*> {
 protected:
-    ShaftQuality() {
+    void SetUp() override {
         View const view = load_view(test::assets() / "views/shafts" / (std::string(GetParam()) + ".json"));
-        case_ = make_shaft_case(stage_, view, SIZE);
+        case_ = make_shaft_case(stage(), view, SIZE);
     }
     ShaftError error_of(ShaftLevel const& level) {
-        return shaft_error(draw_shafts(stage_, case_.view, level, SIZE, 0).radiance, case_);
+        return shaft_error(draw_shafts(stage(), case_.view, level, SIZE, 0).radiance, case_);
     }
-    Stage stage_{DrawOptions{}};
     ShaftCase case_;
 };
 
@@ -38,5 +36,5 @@ TEST_P(ShaftQuality, default_is_close_to_exact_and_others_are_not) {
     EXPECT_GE(error_of(even_steps(20)).masked_flip.value(), 3 * MOST_MASKED);
 }
 
-INSTANTIATE_TEST_SUITE_P(Views, ShaftQuality, testing::Values("walls", "valley"),
+INSTANTIATE_TEST_SUITE_P(Views, ShaftQuality, testing::Values("valley", "walls"),
                          [](auto const& view) { return std::string(view.param); });

@@ -3,8 +3,7 @@
 #include "sandbox/evaluation.h"
 #include "sandbox/shaft_error.h"
 #include "support/files.h"
-
-#include <gtest/gtest.h>
+#include "support/stage_test.h"
 
 #include <cstring>
 
@@ -48,18 +47,17 @@ AirPicture draw_air(Stage& stage, View view, ShaftLevel const& level, Extent siz
     return picture;
 }
 
-class TracedShafts : public testing::TestWithParam<char const*> {
+class TracedShafts : public test::StageTest, public testing::WithParamInterface<char const*> {
 protected:
     /// Mean HDR FLIP against the path tracer's light of one event, where the air alone sends it.
     double error(ShaftLevel const& level) {
         View const view = load_view(test::assets() / "views/shafts" / (std::string(GetParam()) + ".json"));
-        AirPicture picture = draw_air(stage_, view, level, reference_.radiance.extent);
+        AirPicture picture = draw_air(stage(), view, level, reference_.radiance.extent);
         EXPECT_GT(share_of(picture.alone), 0.3);
         for (std::size_t i = 0; i < picture.alone.size(); ++i)
             if (!picture.alone[i]) std::copy_n(&reference_.radiance.rgba[4 * i], 4, &picture.radiance.rgba[4 * i]);
         return masked_mean(compute_hdr_flip(reference_.radiance, picture.radiance).error, picture.alone).value();
     }
-    Stage stage_{DrawOptions{}};
     ViewReference reference_ = load_reference(test::assets() / "references/single_order", GetParam());
 };
 
@@ -80,16 +78,15 @@ INSTANTIATE_TEST_SUITE_P(Views, TracedShafts, testing::Values("gates", "pillars"
 namespace {
 
 /// Against pictures of all orders. Cascades that reach ten kilometres leave nearly all of the range and its shadows to the ceiling.
-class LongShadows : public testing::Test {
+class LongShadows : public test::StageTest {
 protected:
     double error(std::string const& name, std::vector<Override> const& overrides) {
         View view = load_view(test::assets() / "views/shafts" / (name + ".json"));
         view.settings.aa = 4;
         view.settings.shadow_reach = 10000;
         apply_overrides(view.settings, overrides);
-        return measure_error(stage_, view, load_reference(test::assets() / "references/shafts", name)).flip;
+        return measure_error(stage(), view, load_reference(test::assets() / "references/shafts", name)).flip;
     }
-    Stage stage_{DrawOptions{}};
 };
 
 } // namespace

@@ -1,15 +1,12 @@
 #include "core/files.h"
 #include "image/codec.h"
 #include "image/compare.h"
-#include "sandbox/stage.h"
+#include "support/stage_test.h"
 #include "terrain/terrain.h"
-
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <map>
-#include <memory>
 #include <set>
 
 using namespace alpenglow;
@@ -97,34 +94,6 @@ char const* words(Wrong wrong) {
     return "";
 }
 
-/// Draws views with validation on.
-class Painter {
-public:
-    ByteImage paint(View const& view) { return paint(view, SIZE); }
-    /// Small and without supersampling: two of them are off from each other as pictures are, at 1/64 of the samples.
-    ByteImage sketch(View view) {
-        view.settings.aa = 1;
-        return paint(view, SKETCH_SIZE);
-    }
-    bool on_software() const { return stage_.device().is_software(); }
-
-private:
-    Stage stage_{options()};
-
-    ByteImage paint(View const& view, Extent size) {
-        World const world = stage_.prepare(view);
-        stage_.draw(view, world, size);
-        ByteImage const picture = stage_.renderer().picture();
-        stage_.require_no_messages();
-        return picture;
-    }
-    static DrawOptions options() {
-        DrawOptions options;
-        options.validate = true;
-        return options;
-    }
-};
-
 /// The picture, its reference and both beside their difference, for people.
 std::string report(std::string const& view, ByteImage const& picture, ByteImage const& reference) {
     write_png(report_file(view, ""), picture);
@@ -148,15 +117,19 @@ void update(std::string const& view, ByteImage const& picture) {
     write_png(file, picture);
 }
 
-/// All views that run in one process have one painter: the scene and the tables of the air cost more than a picture.
-class Golden : public testing::TestWithParam<std::string> {
+class Golden : public test::StageTest, public testing::WithParamInterface<std::string> {
 protected:
-    static void SetUpTestSuite() { painter_ = std::make_unique<Painter>(); }
-    static void TearDownTestSuite() { painter_.reset(); }
-    static Painter& painter() { return *painter_; }
-
-private:
-    static inline std::unique_ptr<Painter> painter_;
+    static ByteImage paint(View const& view, Extent size = SIZE) {
+        World const world = stage().prepare(view);
+        stage().draw(view, world, size);
+        return stage().renderer().picture();
+    }
+    /// Small and without supersampling: two of them are off from each other as pictures are, at 1/64 of the samples.
+    static ByteImage sketch(View view) {
+        view.settings.aa = 1;
+        return paint(view, SKETCH_SIZE);
+    }
+    static bool on_software() { return stage().device().is_software(); }
 };
 
 } // namespace
@@ -168,7 +141,7 @@ TEST_P(Golden, is_unchanged_and_would_notice) {
     constexpr char const* UPDATE = "ALPENGLOW_UPDATE_GOLDENS=1 ./test -R golden -V";
     std::string const name = GetParam();
     View const view = load_view(view_file(name));
-    ByteImage const picture = painter().paint(view);
+    ByteImage const picture = paint(view);
     if (std::getenv("ALPENGLOW_UPDATE_GOLDENS")) update(name, picture);
     if (!fs::exists(reference_file(name))) {
         write_png(report_file(name, ""), picture);
@@ -176,7 +149,7 @@ TEST_P(Golden, is_unchanged_and_would_notice) {
     }
     ByteImage const reference = read_picture(reference_file(name));
     ASSERT_EQ(reference.extent, SIZE) << "make the references anew: " << UPDATE;
-    Tolerance const tolerance = painter().on_software() ? ON_SOFTWARE : ON_A_GPU;
+    Tolerance const tolerance = on_software() ? ON_SOFTWARE : ON_A_GPU;
     ByteDifference const difference = compare(picture, reference, tolerance.largest);
     EXPECT_LE(difference.share_above, tolerance.share)
         << "up to " << difference.largest << "/255 at " << difference.x << "," << difference.y << "; " << report(name, picture, reference)
@@ -184,13 +157,12 @@ TEST_P(Golden, is_unchanged_and_would_notice) {
     auto const share_off = [&](ByteImage const& wrong, ByteImage const& right) {
         return compare(wrong, right, tolerance.largest).share_above;
     };
-    if (painter().on_software()) { // the edges of a dark view are too few for the wide tolerance
+    if (on_software()) { // the edges of a dark view are too few for the wide tolerance
         EXPECT_GT(share_off(shifted_by_a_pixel(picture), reference), tolerance.share) << "a shift by a pixel would pass";
     }
-    ByteImage const right = painter().sketch(view);
+    ByteImage const right = sketch(view);
     for (Wrong const wrong : must_notice(name)) {
-        ByteImage const sketch = painter().sketch(wrong_view(view, wrong));
-        EXPECT_GT(share_off(sketch, right), tolerance.share) << "a picture " << words(wrong) << " would pass";
+        EXPECT_GT(share_off(sketch(wrong_view(view, wrong)), right), tolerance.share) << "a picture " << words(wrong) << " would pass";
     }
 }
 

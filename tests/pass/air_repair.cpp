@@ -156,7 +156,7 @@ TEST_F(AirRepair, is_worse_with_a_larger_tolerance_and_useless_if_left_out) {
 TEST_F(AirRepair, leaves_the_suns_disc_as_bright_as_it_is) {
     constexpr std::uint32_t X = 49, Y = 27;
     settings_.sun_disc = true;
-    for (char const* const planet : {"earth", "misty"}) {
+    for (char const* const planet : {"misty", "earth"}) {
         stand_ = stand_on(load_planet(planet));
         for (double const elevation : {5.0, 15.0}) {
             Camera const camera = stand_.camera({0, 20, 0}, glm::dvec3(0, 20, 0) + sun_at(elevation, 0), glm::radians(FIELD));

@@ -59,32 +59,6 @@ TEST_F(Celestial, the_discs_light_is_the_suns_irradiance) {
     }
 }
 
-TEST_F(Celestial, the_air_colours_the_disc_as_it_colours_sunlight) {
-    for (double const elevation : {40.0, 5.0, 0.6}) {
-        Settings settings = with(true, false);
-        glm::dvec3 const with_disc = irradiance(look("earth", elevation, elevation, 3, settings));
-        settings.sun_disc = false;
-        glm::dvec3 const direct = difference(with_disc, irradiance(look("earth", elevation, elevation, 3, settings)));
-        EXPECT_GT(direct.x, direct.y);
-        EXPECT_GT(direct.y, direct.z);
-        // What a surface across the rays has of the sun, by another road: white, in shadow of nothing.
-        Stand const stand = stand_on(load_planet("earth"), 100);
-        settings.shadows = settings.multiple_scattering = false;
-        settings.shafts = "off";
-        Scene scene = scene_of({matte(glm::vec3(1))});
-        glm::dvec3 const to_sun = sun_at(elevation, 0), u = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), to_sun));
-        add_quad(scene, {0, 5, 0}, u, glm::cross(to_sun, u));
-        put(scene, stand);
-        glm::dvec3 const eye = glm::dvec3(0, 5, 0) + 3.0 * to_sun;
-        World const world = stand.view(stand.camera(eye, {0, 5, 0}, 0.1), to_sun);
-        glm::dvec3 const lit = glm::dvec3(pixel(radiance(world, settings, {9, 9}), 4, 4)) * 3.14159265;
-        renderer().set_scene(nullptr, {}, 1);
-        // The sky's light on the surface is in `lit` as well; near the horizon it hardly reddens.
-        for (int c = 0; c < 3; ++c) EXPECT_GT(lit[c], 0.9 * direct[c]) << elevation;
-        EXPECT_LT(direct.z / direct.x, lit.z / lit.x + 0.01) << elevation;
-    }
-}
-
 TEST_F(Celestial, switches_take_sun_and_stars_away) {
     EXPECT_GT(irradiance(look("airless", 20, 20, 20, with(true, false))).y, 0.99);
     EXPECT_EQ(irradiance(look("airless", 20, 20, 20, with(false, false))).y, 0);
@@ -116,6 +90,32 @@ TEST_F(Celestial, stars_stand_where_cpp_says) {
         }
     EXPECT_GT(sum, 0);
     EXPECT_LT(off, 0.01 * sum); // a pixel is 1e-2 rad and float directions 1e-7: 1e-4 of a tent on average
+}
+
+TEST_F(Celestial, the_air_colours_the_disc_as_it_colours_sunlight) {
+    for (double const elevation : {40.0, 5.0, 0.6}) {
+        Settings settings = with(true, false);
+        glm::dvec3 const with_disc = irradiance(look("earth", elevation, elevation, 3, settings));
+        settings.sun_disc = false;
+        glm::dvec3 const direct = difference(with_disc, irradiance(look("earth", elevation, elevation, 3, settings)));
+        EXPECT_GT(direct.x, direct.y);
+        EXPECT_GT(direct.y, direct.z);
+        // What a surface across the rays has of the sun, by another road: white, in shadow of nothing.
+        Stand const stand = stand_on(load_planet("earth"), 100);
+        settings.shadows = settings.multiple_scattering = false;
+        settings.shafts = "off";
+        Scene scene = scene_of({matte(glm::vec3(1))});
+        glm::dvec3 const to_sun = sun_at(elevation, 0), u = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), to_sun));
+        add_quad(scene, {0, 5, 0}, u, glm::cross(to_sun, u));
+        put(scene, stand);
+        glm::dvec3 const eye = glm::dvec3(0, 5, 0) + 3.0 * to_sun;
+        World const world = stand.view(stand.camera(eye, {0, 5, 0}, 0.1), to_sun);
+        glm::dvec3 const lit = glm::dvec3(pixel(radiance(world, settings, {9, 9}), 4, 4)) * 3.14159265;
+        renderer().set_scene(nullptr, {}, 1);
+        // The sky's light on the surface is in `lit` as well; near the horizon it hardly reddens.
+        for (int c = 0; c < 3; ++c) EXPECT_GT(lit[c], 0.9 * direct[c]) << elevation;
+        EXPECT_LT(direct.z / direct.x, lit.z / lit.x + 0.01) << elevation;
+    }
 }
 
 TEST_F(Celestial, day_drowns_the_stars_and_night_does_not) {

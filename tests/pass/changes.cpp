@@ -87,7 +87,7 @@ TEST_F(Changes, of_each_setting_are_obeyed_at_once) {
     Settings base;
     base.model = "naive"; // it has no tables to make for each air
     base.samples = 8;     // enough to tell pictures apart
-    base.cascade_size = 256;
+    base.cascade_size = base.ceiling_size = 256;
     std::vector<SettingInfo const*> changes;
     for (SettingInfo const& info : setting_table()) {
         if (another_value(base, info)) {
@@ -101,7 +101,7 @@ TEST_F(Changes, of_each_setting_are_obeyed_at_once) {
 
 TEST_F(Changes, of_what_the_default_model_obeys_are_obeyed_at_once) {
     Settings base;
-    base.cascade_size = 256;
+    base.cascade_size = base.ceiling_size = 256;
     base.samples = 8; // half of them is seen
     std::vector<SettingInfo const*> changes;
     for (char const* const name : {"air", "model", "samples", "shafts", "multiple_scattering", "march_dither", "shadows"})
@@ -113,7 +113,7 @@ TEST_F(Changes, of_what_the_default_model_obeys_are_obeyed_at_once) {
 TEST_F(Changes, of_the_air_and_the_planet_give_the_picture_of_a_fresh_start) {
     Settings settings;
     settings.model = "tables";
-    settings.cascade_size = 256;
+    settings.cascade_size = settings.ceiling_size = 256;
     drawn(running_, earth_, settings);
     Planet changed = earth_;
     changed.air.at("aerosol").profile = shell_profile(1000, 3000);

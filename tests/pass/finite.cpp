@@ -15,7 +15,7 @@ protected:
     void expect_all_finite(Stand const& stand) {
         Settings settings = plain_settings();
         settings.samples = 6;
-        settings.cascade_size = 256;
+        settings.cascade_size = settings.ceiling_size = 256;
         settings.sun_disc = settings.stars = true;
         std::vector<std::string> lights = choices_of(*find_setting("model"));
         lights.emplace_back("no air");
@@ -45,10 +45,10 @@ protected:
 
 } // namespace
 
-TEST_P(FinitePixels, of_the_planet_alone) { expect_all_finite(stand_on(load_planet(GetParam()))); }
-
-TEST_P(FinitePixels, of_a_small_scene) {
+TEST_P(FinitePixels, of_the_planet_alone_and_of_a_small_scene) {
     Stand const stand = stand_on(load_planet(GetParam()));
+    expect_all_finite(stand);
+
     Scene scene = scene_of({matte({0.3f, 0.25f, 0.2f}), matte(glm::vec3(0))});
     scene.materials[1].metallic = 1;
     scene.materials[1].roughness = 0;

@@ -17,6 +17,7 @@ Planet foggy_planet() {
     Planet planet;
     planet.look = GroundLook::uniform;
     planet.air.top_altitude = 5000;
+    planet.sun_angular_radius = 0; // as in the integral; half a degree is 70 m wide eight kilometres behind an edge
     planet.air.components = {
         test::rayleigh_component(glm::dvec3(1e-5, 2e-5, 4e-5), 2000),
         test::aerosol_component(glm::dvec3(1.5e-3), glm::dvec3(1e-4, 1e-4, 2e-4), 300, 0.5)};
@@ -85,7 +86,6 @@ TEST_F(ShaftsPass, casters_before_all_that_the_camera_sees_are_kept) {
     // Neither stands where a map that is fitted to the view begins: one hangs beside the camera, 8 m from its rays, the other eight
     // kilometres towards the sun. Without either of them the rays would be a tenth brighter at least.
     constexpr double BACK = 300;
-    stand_.planet.sun_angular_radius = 0; // as in the integral; half a degree is 70 m wide behind the far one
     glm::dvec3 const to_sun = sun_at(30, 20), east(1, 0, 0), across = glm::normalize(glm::cross(to_sun, east)), eye(0, 5, 0);
     Scene scene = scene_of({black()});
     add_quad(scene, {BACK, 0, 0}, {0, 0, 40}, {0, 40, 0});
@@ -135,7 +135,7 @@ TEST_F(ShaftsPass, a_ridge_takes_away_what_the_integral_says) {
 
 TEST_F(ShaftsPass, make_no_difference_where_nothing_occludes) {
     // Rays over a plate 20 km wide, which shades nothing above it, under a clear sky at the default number of samples.
-    for (char const* const name : {"earth", "earth_hazy"}) {
+    for (char const* const name : {"earth_hazy", "earth"}) {
         stand_ = stand_on(load_planet(name), 0);
         Scene scene = scene_of({matte(glm::vec3(0.2f))});
         add_plane(scene, 1e4, 10);
