@@ -17,6 +17,7 @@ protected:
         RenderTest::SetUp();
         settings_ = plain_settings();
         settings_.cascade_size = 1024;
+        settings_.shafts = "off";
     }
     std::vector<double> visibility(Camera const& camera, glm::dvec3 const& to_sun, Settings const& settings) {
         return RenderTest::visibility(stand_.view(camera, to_sun), settings, EXTENT);

@@ -21,7 +21,7 @@ protected:
         lights.emplace_back("no air");
         for (std::string const& light : lights) {
             settings.air = light != "no air";
-            if (settings.air) settings.model = light;
+            settings.model = settings.air ? light : Settings{}.model;
             // The other models are opponents: a few places of each kind do.
             bool const few = settings.air && settings.model != Settings{}.model;
             std::vector<double> const altitudes = few ? std::vector{2.0, 12e3, 4e5} : std::vector{2.0, 900.0, 12e3, 1e5, 4e5, 2e7};
