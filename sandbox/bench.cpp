@@ -1,5 +1,6 @@
 #include "core/progress.h"
 #include "sandbox/bench_load.h"
+#include "sandbox/bench_switches.h"
 #include "sandbox/commands.h"
 #include "sandbox/cost_plot.h"
 #include "sandbox/frame_times.h"
@@ -18,8 +19,9 @@ struct ViewTimes {
 };
 
 ViewTimes measure(Stage& stage, View const& view, BenchOptions const& options, Progress& progress, std::size_t& done) {
+    Extent const size = options.size.value_or(BenchOptions::SIZE);
     World const world = stage.prepare(view);
-    FrameTimes const times = time_frames(stage, view, world, options.size, options.frames,
+    FrameTimes const times = time_frames(stage, view, world, size, options.frames,
                                          [&] { progress.update(done++, view.name); });
     return {view.name, times, static_cast<double>(stage.device().peak_memory()) / (1 << 20)};
 }
@@ -50,9 +52,9 @@ void print_passes(std::vector<std::pair<std::string, double>> const& passes) {
     for (auto const& [name, ms] : passes) fmt::print("  {:<22} {:9.3f} ms\n", name, ms);
 }
 
-void print_table(Stage const& stage, BenchOptions const& options, std::vector<ViewTimes> const& views) {
-    fmt::print("{} ({}), {}x{}, median of {} frames\n", stage.device().name(), stage.device().driver(),
-               options.size.width, options.size.height, options.frames);
+void print_table(Stage const& stage, Extent size, int frames, std::vector<ViewTimes> const& views) {
+    fmt::print("{} ({}), {}x{}, median of {} frames\n", stage.device().name(), stage.device().driver(), size.width,
+               size.height, frames);
     for (ViewTimes const& view : views) {
         fmt::print("{}: {:.1f} ms a frame, {:.2f} ms of it on the CPU, device memory at most {:.0f} MiB\n", view.view,
                    view.times.frame_ms, view.times.cpu_ms, view.peak_mib);
@@ -76,10 +78,11 @@ int bench_views(BenchOptions const& options) {
     for (View const& view : views) times.push_back(measure(stage, stage.dressed(view), options, progress, done));
     progress.update(total);
     stage.require_no_messages();
+    Extent const size = options.size.value_or(BenchOptions::SIZE);
     if (options.json)
-        print_json(stage, options.size, times);
+        print_json(stage, size, times);
     else
-        print_table(stage, options, times);
+        print_table(stage, size, options.frames, times);
     return 0;
 }
 
@@ -87,6 +90,7 @@ int bench_views(BenchOptions const& options) {
 
 int bench(BenchOptions const& options) {
     if (options.load) return bench_load(options);
+    if (options.switches) return bench_switches(options);
     if (!options.plot) return bench_views(options);
     plot_costs(options);
     return 0;

@@ -103,8 +103,9 @@ void require_gltf_name(std::filesystem::path const& file) {
 }
 
 void require_subject(BenchOptions const& options) {
-    if (!options.views.empty() || options.load || options.plot) return;
-    throw Error(ErrorKind::wrong_use, "VIEW.json, --load or --plot is required", {}, "see alpenglow bench --help");
+    if (!options.views.empty() || options.load || options.plot || options.switches) return;
+    throw Error(ErrorKind::wrong_use, "VIEW.json, --load, --plot or --switches is required", {},
+                "see alpenglow bench --help");
 }
 
 } // namespace

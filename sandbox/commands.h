@@ -68,15 +68,17 @@ struct StudioOptions : DrawOptions {
 };
 
 struct BenchOptions : DrawOptions {
-    std::vector<std::filesystem::path> views; ///< at least one, but for `plot` and `load`
+    std::vector<std::filesystem::path> views; ///< at least one, but for `load`, `plot` and `switches`
     /// glTF file whose loading is measured in place of views; an empty path: a scene that is made for it.
     std::optional<std::filesystem::path> load;
-    Extent size{1280, 720};
-    int frames = 10; ///< measured, after warm-up; rounds of `load`
+    static constexpr Extent SIZE{1280, 720}, SWITCHES_SIZE{320, 180};
+    std::optional<Extent> size; ///< else one of those
+    int frames = 10;            ///< measured, after warm-up; rounds of `load` and `switches`
     bool json = false;
     /// SVG file for each model's error against its cost, measured in place of the passes; without views, in three of the
     /// comparison's.
     std::optional<std::filesystem::path> plot;
+    bool switches = false; ///< how long changes of settings take while it flies, in place of the passes
 };
 
 struct CompareOptions {

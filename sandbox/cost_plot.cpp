@@ -46,7 +46,8 @@ PlotPoint measure_point(Stage& stage, PlotCase const& given, BenchOptions const&
     view.settings.model = model;
     view.settings.samples = samples;
     view.settings.aa = 1;
-    double const ms = time_frames(stage, view, stage.prepare(view), options.size, options.frames).frame_ms;
+    Extent const size = options.size.value_or(BenchOptions::SIZE);
+    double const ms = time_frames(stage, view, stage.prepare(view), size, options.frames).frame_ms;
     view.settings.aa = EVALUATION_AA;
     double const flip = measure_error(stage, view, given.reference).flip;
     std::string const count = samples_of(model).size() > 1 ? std::to_string(samples) : std::string();
@@ -70,8 +71,10 @@ void plot_costs(BenchOptions const& options) {
         }
     }
     stage.require_no_messages();
-    std::string const size = fmt::format("{}x{}", options.size.width, options.size.height);
-    write_text_file(*options.plot, svg_plot(panels, "milliseconds of a frame of " + size + ", " + stage.device().name(),
+    Extent const size = options.size.value_or(BenchOptions::SIZE);
+    write_text_file(*options.plot, svg_plot(panels,
+                                            fmt::format("milliseconds of a frame of {}x{}, {}", size.width, size.height,
+                                                        stage.device().name()),
                                             "mean HDR FLIP against the path tracer"));
 }
 

@@ -63,7 +63,8 @@ void add_load(CLI::App& app, std::optional<std::filesystem::path>& load) {
            "with eight pictures of 2048x2048 that is made for it")
         ->expected(0, 1)
         ->type_name("[SCENE]")
-        ->excludes("VIEW.json", "--scene", "--size", "--planet", "--at", "--yaw", "--scale", "--curve", "--show");
+        ->excludes("VIEW.json", "--scene", "--size", "--planet", "--at", "--yaw", "--scale", "--curve", "--show",
+                   "--plot", "--switches");
 }
 
 } // namespace
@@ -117,15 +118,19 @@ CLI::App& add_command(CLI::App& program, StudioOptions& options) {
 }
 
 CLI::App& add_command(CLI::App& program, BenchOptions& options) {
-    CLI::App& app = *program.add_subcommand("bench", "Measures each pass, or loading: medians over some frames");
+    CLI::App& app = *program.add_subcommand("bench", "Measures each pass, loading or switches: medians over some frames");
     add_views(app, options.views)->required(false);
     add_scene_option(app, "--scene", options);
-    add_size(app, options.size);
-    add_frames(app, options.frames, "measured frames, or rounds of --load, after warm-up; 10 unless given");
+    add_size(app, options.size, "1280x720, or 320x180 for --switches,");
+    add_frames(app, options.frames,
+               "measured frames, after warm-up, or rounds of --load and --switches; 10 unless given");
     app.add_flag("--json", options.json, "prints JSON");
     add_path(app, "--plot", "FILE.svg", options.plot,
              "draws each model's error against its cost instead, in three comparison views unless some are given");
     add_draw_options(app, options);
+    app.add_flag("--switches", options.switches,
+                 "measures how long changes of settings take while it flies instead, in valley_noon unless views are given")
+        ->excludes("--plot");
     add_load(app, options.load);
     return app;
 }

@@ -7,6 +7,10 @@ namespace alpenglow {
 
 class Window;
 
+/// A window wants many pictures a second: edges are smoothed by the post filter, unless `--set aa=4` says otherwise, and
+/// no frame waits for tables.
+void set_for_window(Settings& settings);
+
 /// The two ways of `fly`. Both throw Error.
 
 /// To pictures and a contact sheet in options.out.

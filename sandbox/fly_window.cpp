@@ -201,13 +201,9 @@ void WindowFlight::finish(FrameGraph& graph, ImageId picture, GpuImage& target) 
 void WindowFlight::note_times() {
     double of_pixels = 0;
     bool whole = false;
-    std::vector<AirTableStep> const& steps = air_model(pilot_.settings().model).steps;
-    auto const makes_tables = [&](PassTime const& pass) {
-        return std::ranges::find(steps, pass.name, &AirTableStep::pass) != steps.end();
-    };
     for (PassTime const& pass : stage_.renderer().timings()) {
         whole = whole || pass.name == "lighting";
-        if (pass.name != "sun_shadow" && !makes_tables(pass)) of_pixels += pass.gpu_ms;
+        if (pass.name != "sun_shadow" && !table_passes().contains(pass.name)) of_pixels += pass.gpu_ms;
     }
     if (!whole) return;
     note_exposure();

@@ -6,6 +6,7 @@
 #include <deque>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 
 namespace alpenglow {
@@ -28,8 +29,8 @@ struct TableProgress {
 /// fastest of the last few: one that was held up must not let the next take longer.
 class TablePace {
 public:
-    /// Times of a finished frame. The passes of `steps` are the tables', the rest is the usual frame.
-    void note(std::vector<PassTime> const& times, std::span<AirTableStep const> steps);
+    /// Times of a finished frame. Those of `table_passes` make tables, the rest is the usual frame.
+    void note(std::vector<PassTime> const& times, std::set<std::string> const& table_passes);
     double frame_ms() const; ///< 0: not known
     /// Of a workgroup; nothing where the pass has not run yet.
     std::optional<double> group_ms(std::string const& pass) const;

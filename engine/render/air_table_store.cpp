@@ -1,5 +1,7 @@
 #include "render/air_table_store.h"
 
+#include "render/models/models.h"
+
 #include <cstring>
 
 namespace alpenglow {
@@ -27,8 +29,19 @@ AirTableStore::Kept& AirTableStore::of(AirModel const& model) {
     return kept;
 }
 
+AirTableStore::Kept* AirTableStore::unfinished(shader::Atmosphere const& air) {
+    for (AirModel const& model : air_models()) {
+        if (Kept& kept = of(model); !kept.finished_for(air)) return &kept;
+    }
+    return nullptr;
+}
+
 void AirTableStore::discard() {
-    for (auto& [model, kept] : kept_) kept.made_for.reset();
+    for (auto& [model, kept] : kept_) kept.made_for.reset(), kept.planet.clear();
+}
+
+bool AirTableStore::Kept::finished_for(shader::Atmosphere const& air) const {
+    return progress.step == model.steps.size() && (model.steps.empty() || (made_for && same(*made_for, air)));
 }
 
 GpuImage* AirTableStore::Kept::find(std::string_view name) const {
@@ -38,13 +51,11 @@ GpuImage* AirTableStore::Kept::find(std::string_view name) const {
     return nullptr;
 }
 
-TableWork table_work(AirTableStore::Kept const& tables, shader::Atmosphere const& air, std::string const& planet,
-                     bool spread, TablePace const& pace) {
+TableWork table_work(AirTableStore::Kept const& tables, shader::Atmosphere const& air, bool spread,
+                     TablePace const& pace) {
     bool const goes_on = tables.made_for && same(*tables.made_for, air);
     TableProgress const start = goes_on ? tables.progress : TableProgress{};
-    bool const known = tables.made_for && tables.planet == planet;
-    return {start, spread && known ? next_slices(tables.model.steps, start, pace)
-                                   : remaining_slices(tables.model.steps, start)};
+    return {start, spread ? next_slices(tables.model.steps, start, pace) : remaining_slices(tables.model.steps, start)};
 }
 
 void finish_work(AirTableStore::Kept& tables, shader::Atmosphere const& air, std::string const& planet,
@@ -56,8 +67,12 @@ void finish_work(AirTableStore::Kept& tables, shader::Atmosphere const& air, std
         if (slice.first + slice.count == steps[slice.step].groups) table.finished = 1 - table.finished;
     }
     tables.made_for = air;
-    tables.planet = planet;
     tables.progress = advanced(steps, work.start, work.slices);
+    if (tables.finished_for(air)) {
+        tables.planet = planet;
+    } else if (tables.planet != planet) {
+        tables.planet.clear();
+    }
 }
 
 } // namespace alpenglow

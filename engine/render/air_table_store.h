@@ -27,15 +27,17 @@ public:
         AirModel const& model;
         std::vector<TwofoldTable> tables{}; ///< in the model's order
         std::optional<shader::Atmosphere> made_for{}; ///< or being made
-        std::string planet{};                         ///< whose air that is
         TableProgress progress{};
+        std::string planet{}; ///< in whose air they were last finished and may be read; none: never, or discarded
 
-        bool finished() const { return progress.step == model.steps.size(); }
+        bool finished_for(shader::Atmosphere const& air) const;
         /// The finished table of that name; nullptr where there is none.
         GpuImage* find(std::string_view name) const;
     };
     /// Makes the images where there are none yet.
     Kept& of(AirModel const& model);
+    /// Those of the first model whose tables are not finished for that air; nullptr where all are.
+    Kept* unfinished(shader::Atmosphere const& air);
     /// From now on they hold nothing.
     void discard();
 
@@ -44,16 +46,16 @@ private:
     std::map<std::string_view, Kept> kept_; ///< by the model's name
 };
 
-/// Where the making goes on when this frame's air is `air` of `planet`: at the start where it is another, and all at
-/// once where tables of that planet have never been made, or not to be `spread` over frames.
+/// Where the making goes on when this frame's air is `air`: at the start where it is another. It runs to the end where
+/// it is not to be `spread` over frames.
 struct TableWork {
     TableProgress start;
     std::vector<StepSlice> slices; ///< of this frame
 };
-TableWork table_work(AirTableStore::Kept const& tables, shader::Atmosphere const& air, std::string const& planet,
-                     bool spread, TablePace const& pace);
+TableWork table_work(AirTableStore::Kept const& tables, shader::Atmosphere const& air, bool spread,
+                     TablePace const& pace);
 
-/// Takes down what a frame with that work has done.
+/// Takes down what a frame with that work, in `air` of `planet`, has done.
 void finish_work(AirTableStore::Kept& tables, shader::Atmosphere const& air, std::string const& planet,
                  TableWork const& work);
 

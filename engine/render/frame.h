@@ -8,7 +8,7 @@
 #include "render/ground_light.h"
 #include "scene/view.h"
 
-#include <memory>
+#include <span>
 #include <vector>
 
 namespace alpenglow {
@@ -25,6 +25,13 @@ struct AirTables {
 /// Of each pixel, both relative: interop/air.h.
 struct AirLayer {
     ImageId inscattered, transmittance;
+};
+
+/// The tables of a model of the air, and what a frame makes of them.
+struct ModelTables {
+    AirModel const& model;
+    std::vector<TwofoldTable> const& tables; ///< in the model's order
+    std::span<StepSlice const> slices;       ///< of the model's steps, that make them in this frame
 };
 
 struct SunShadow {
@@ -45,10 +52,9 @@ struct FrameInputs {
     ShadowFit const& shadow;
     CeilingMap const& ceiling;
     std::vector<shader::FrameConstants> const& constants; ///< one for each supersample
-    AirModel const& model;             ///< how the air is lit
+    ModelTables const& air;            ///< how it is lit
+    ModelTables const* air_ahead;      ///< another model, whose tables are made for frames to come; or nullptr
     GroundAround const& ground;        ///< that lights the air
-    std::vector<TwofoldTable> const& air_tables; ///< the model's, in its order
-    std::vector<StepSlice> const& table_slices;  ///< of the model's steps, that make them in this frame
     GpuImage& exposure;                ///< one texel: interop/exposure.h
     double seconds;                    ///< since the picture before, by which exposure adapts; ADAPTED_AT_ONCE
     GpuImage& mean;                    ///< radiance, the mean of the supersamples

@@ -1,6 +1,7 @@
 #include "render/renderer.h"
 
 #include "gpu/transfer.h"
+#include "render/atmosphere_constants.h"
 #include "render/frame_constants.h"
 #include "render/ground_light.h"
 #include "render/models/models.h"
@@ -43,22 +44,30 @@ struct Renderer::Composed {
              double seconds)
         : ceiling(by.ceiling_.of(fits.ceiling)),
           constants(supersample_constants(world, settings, extent, fits.shadow, fits.ceiling)),
-          tables(by.air_tables_.of(air_model(settings.model))),
-          work(table_work(tables, constants.front().atmosphere, world.planet.name, settings.spread_tables,
-                          by.table_pace_)),
+          read(by.air_tables_.of(air_model(settings.model))),
+          spreads(settings.spread_tables && read.planet == world.planet.name),
+          made(spreads ? by.tables_to_make(read, constants.front().atmosphere) : read),
+          work(table_work(made, constants.front().atmosphere, spreads, by.table_pace_)),
           ground(by.scene_ ? ground_around(world, by.scene_->ground()) : planet_ground(world.planet)),
-          inputs{world,        settings, extent, by.scene_.get(), fits.shadow, ceiling,   constants,
-                 tables.model, ground,   tables.tables, work.slices, by.exposure_, seconds, *by.mean_, *by.picture_} {
+          air{read.model, read.tables, {}}, air_made{made.model, made.tables, work.slices},
+          inputs{world, settings, extent, by.scene_.get(), fits.shadow, ceiling, constants,
+                 is_ahead() ? air : air_made, is_ahead() ? &air_made : nullptr, ground, by.exposure_, seconds,
+                 *by.mean_, *by.picture_} {
         build_frame(graph, inputs);
     }
     Composed(Composed const&) = delete;
     Composed& operator=(Composed const&) = delete;
 
+    bool is_ahead() const { return &made != &read; }
+
     CeilingMap ceiling;
     std::vector<shader::FrameConstants> constants; ///< one for each supersample
-    AirTableStore::Kept& tables;
-    TableWork work;
+    AirTableStore::Kept& read;
+    bool spreads; ///< the making of tables over frames
+    AirTableStore::Kept& made;
+    TableWork work; ///< on those
     GroundAround ground;
+    ModelTables air, air_made;
     FrameInputs inputs;
     FrameGraph graph;
 };
@@ -105,14 +114,35 @@ Renderer::Fits Renderer::fit(World const& world, Settings const& settings) const
             fit_ceiling(shading, scene_->highest_altitude(), world.planet, world.to_sun, size)};
 }
 
-/// Those of the last picture as long as pipelines for the others are missing.
+/// Those that a switch waits for; the picture's own, which it reads; then those that the next switch may need.
+AirTableStore::Kept& Renderer::tables_to_make(AirTableStore::Kept& read, shader::Atmosphere const& air) {
+    if (awaited_) return *awaited_;
+    bool const leads = prepared_ && switches_prepared() && switches_rehearsed();
+    AirTableStore::Kept* const next = leads && read.finished_for(air) ? air_tables_.unfinished(air) : nullptr;
+    return next ? *next : read;
+}
+
+bool Renderer::prepare(World const& world, Settings const& settings, Extent extent) {
+    Fits const fits = fit(world, settings);
+    Composed const frame(*this, world, settings, extent, fits, 0);
+    return executor_.prepare(frame.graph, Need::wanted);
+}
+
+/// Those of the last picture as long as pipelines for the others are missing; and its model until the tables of another
+/// are finished.
 Settings const& Renderer::settings_to_show(World const& world, Settings const& wanted, Extent extent) {
-    if (shown_ && *shown_ != wanted) {
-        Fits const fits = fit(world, wanted);
-        Composed const frame(*this, world, wanted, extent, fits, 0);
-        if (!executor_.prepare(frame.graph, Need::wanted)) return *shown_;
+    awaited_ = nullptr;
+    if (!shown_ || *shown_ == wanted) return shown_.emplace(wanted);
+    Settings next = wanted;
+    bool ready = prepare(world, wanted, extent);
+    AirTableStore::Kept& tables = air_tables_.of(air_model(wanted.model));
+    if (wanted.model != shown_->model && wanted.spread_tables && !tables.finished_for(atmosphere_of(world.planet))) {
+        next.model = shown_->model;
+        next.show = shown_->show; // a model has images of its own
+        if (ready) awaited_ = &tables;
+        ready = prepare(world, next, extent);
     }
-    shown_ = wanted;
+    if (ready) shown_ = next;
     return *shown_;
 }
 
@@ -134,16 +164,17 @@ void Renderer::draw(World const& world, Settings const& wanted, Extent extent, F
     size_pictures(extent);
     bool const at_once = switches_ == Switches::at_once;
     Settings const& settings = at_once ? wanted : settings_to_show(world, wanted, extent);
-    settings_shown_ = at_once || settings == wanted;
+    settings_shown_ = settings == wanted;
     Fits const fits = fit(world, settings);
     if (!ceiling_.fits(fits.ceiling)) executor_.wait(), ceiling_.replace(fits.ceiling);
-    table_pace_.note(executor_.timings(), air_model(settings.model).steps);
+    table_pace_.note(executor_.timings(), table_passes());
     Composed frame(*this, world, settings, extent, fits, std::exchange(seconds_, ADAPTED_AT_ONCE));
     if (finish) finish(frame.graph, frame.graph.find("picture"));
     executor_.submit(frame.graph, sync);
     ceiling_.finish(fits.ceiling);
-    finish_work(frame.tables, frame.constants.front().atmosphere, world.planet.name, frame.work);
-    tables_ = &frame.tables;
+    air_ = frame.constants.front().atmosphere;
+    finish_work(frame.made, air_, world.planet.name, frame.work);
+    tables_ = &frame.read;
     if (!at_once) prepare_next(frame.graph, world, extent);
 }
 

@@ -16,7 +16,8 @@ namespace alpenglow {
 /// When a change of the settings is seen that needs pipelines which nobody has made yet.
 enum class Switches {
     at_once,    ///< every picture is of its settings, however long that takes
-    when_ready, ///< pictures keep the settings of those before until another thread has made the pipelines
+    when_ready, ///< pictures keep the settings of those before until another thread has made the pipelines, and their
+                ///< model of the air until the tables of another are finished, where those are spread over frames
 };
 
 /// Draws a world into a picture. Owns what outlives a frame: the tables of the air, the shadow ceiling, the mean,
@@ -46,7 +47,10 @@ public:
     /// The next frame makes the map of the shadow ceiling anew; for measuring.
     void discard_shadow_ceiling() { ceiling_.discard(); }
     /// Whether the last picture was of finished tables; another frame goes on with them.
-    bool tables_finished() const { return !tables_ || tables_->finished(); }
+    bool tables_finished() const { return !tables_ || tables_->finished_for(air_); }
+    /// Whether those of all models are finished for its air; with `Switches::when_ready` and `spread_tables` frames go
+    /// on with them.
+    bool tables_ahead_finished() { return !air_tables_.unfinished(air_); }
     /// Whether the last picture has the settings that it was asked for; another frame may.
     bool settings_shown() const { return settings_shown_; }
     /// Whether all pipelines are there that the next switch is likely to need; for measuring.
@@ -73,6 +77,8 @@ private:
     struct Composed;
     Fits fit(World const& world, Settings const& settings) const;
     Settings const& settings_to_show(World const& world, Settings const& wanted, Extent extent);
+    bool prepare(World const& world, Settings const& settings, Extent extent);
+    AirTableStore::Kept& tables_to_make(AirTableStore::Kept& read, shader::Atmosphere const& air);
     void prepare_next(FrameGraph const& drawn, World const& world, Extent extent);
     GpuImage* kept_image(std::string const& name);
     void size_pictures(Extent extent);
@@ -84,6 +90,8 @@ private:
     CeilingStore ceiling_;
     TablePace table_pace_;
     AirTableStore::Kept const* tables_ = nullptr; ///< of the last picture's model
+    AirTableStore::Kept* awaited_ = nullptr;      ///< tables for whose model the next picture does not have it yet
+    shader::Atmosphere air_{};                    ///< of the last picture
     Switches switches_;
     std::optional<Settings> shown_;    ///< of the last picture; none: the next one is of its settings
     std::optional<Settings> prepared_; ///< pipelines of what is one choice away from these are made ahead

@@ -81,7 +81,7 @@ TEST_P(SpreadTables, keep_every_frame_to_its_share_and_end_as_those_made_at_once
     world_.planet = planet;
     world_.planet.name = "earth_hazy";
     TablePace pace;
-    pace.note(renderer().timings(), steps());
+    pace.note(renderer().timings(), table_passes());
     std::set<std::string> seen; // states of the table that is watched, as bytes
     int frames = 0;
     do {
@@ -94,7 +94,7 @@ TEST_P(SpreadTables, keep_every_frame_to_its_share_and_end_as_those_made_at_once
             }
             EXPECT_LE(made, std::max(TABLES_SHARE * pace.frame_ms() * 1.0001, most)) << "frame " << frames;
         }
-        pace.note(renderer().timings(), steps());
+        pace.note(renderer().timings(), table_passes());
         seen.insert(bytes(watched()));
     } while (!watched_is_whole() && frames < 20000);
     EXPECT_GT(frames, 10);

@@ -48,11 +48,11 @@ TEST(AirTableWork, begins_anew_with_every_change_of_the_air_and_only_then) {
     Planet const earth = make_earth();
     for (AirModel const& model : air_models()) {
         AirTableStore::Kept const kept = finished_tables(model, earth);
-        EXPECT_TRUE(table_work(kept, atmosphere_of(earth), earth.name, false, {}).slices.empty());
+        EXPECT_TRUE(table_work(kept, atmosphere_of(earth), false, {}).slices.empty());
         for (auto const& [name, change] : CHANGES) {
             Planet changed = earth;
             change(changed);
-            TableWork const work = table_work(kept, atmosphere_of(changed), earth.name, false, {});
+            TableWork const work = table_work(kept, atmosphere_of(changed), false, {});
             EXPECT_EQ(work.slices, remaining_slices(model.steps, {})) << model.name << ", " << name;
         }
     }

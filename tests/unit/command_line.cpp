@@ -126,10 +126,19 @@ TEST(CommandLine, bench_takes_views_or_a_scene_to_load) {
     EXPECT_TRUE(given.json && given.views.empty());
     EXPECT_EQ(std::get<BenchOptions>(parse("bench --load")).load, "");
     EXPECT_EQ(std::get<BenchOptions>(parse("bench --load --json")).load, "");
-    expect_refused("bench", "VIEW.json, --load or --plot is required");
+    expect_refused("bench", "VIEW.json, --load, --plot or --switches is required");
     expect_refused("bench v.json --load s.glb", "VIEW.json");
     expect_refused("bench --load s.glb --size 64x36", "--size");
     expect_refused("bench --load s.glb --at 1,2", "--at");
+}
+
+TEST(CommandLine, bench_of_switches_needs_no_view_and_nothing_else_to_measure) {
+    auto const given = std::get<BenchOptions>(parse("bench --switches --size 64x36 --frames 2"));
+    EXPECT_TRUE(given.switches && given.views.empty());
+    EXPECT_EQ(given.size, (Extent{64, 36}));
+    EXPECT_EQ(std::get<BenchOptions>(parse("bench v.json --switches")).views.size(), 1u);
+    expect_refused("bench --switches --plot p.svg", "--plot");
+    expect_refused("bench --switches --load s.glb", "--switches");
 }
 
 TEST(CommandLine, evaluate_takes_lists_of_views_and_known_models) {

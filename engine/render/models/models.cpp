@@ -26,6 +26,17 @@ AirModel const& air_model(std::string_view name) {
     throw Error(ErrorKind::wrong_use, "there is no model '" + std::string(name) + "'", {}, "the models are: " + names);
 }
 
+std::set<std::string> const& table_passes() {
+    static auto const NAMES = [] {
+        std::set<std::string> names;
+        for (AirModel const& model : air_models()) {
+            for (AirTableStep const& step : model.steps) names.insert(step.pass);
+        }
+        return names;
+    }();
+    return NAMES;
+}
+
 std::string model_limits(World const& world, Settings const& settings, bool meshes) {
     AirModel const& model = air_model(settings.model);
     if (!world.planet.has_air || !settings.air) return {};

@@ -36,13 +36,13 @@ public:
     }
 
     AirLayer add(AirObstacles const& obstacles) {
-        int stride = any_ && in_.model.air_stride ? in_.model.air_stride(in_.settings) : 1;
+        int stride = any_ && in_.air.model.air_stride ? in_.air.model.air_stride(in_.settings) : 1;
         slots_.push_back(sampled(AIR_DEPTH_SLOT, obstacles.depth, NEAREST_CLAMP));
         std::vector<Slot> const shades{sampled_array(AIR_SHADOW_SLOT, obstacles.shadow.cascades, NEAREST_CLAMP),
                                        sampled(AIR_CEILING_SLOT, obstacles.shadow.ceiling),
                                        sampled(AIR_SHADOW_BOUNDS_SLOT, obstacles.shadow_bounds, NEAREST_CLAMP)};
         AirLayer layer = add_layer(stride);
-        add_pass("air", in_.model.air, layer, shades, ImageUse::storage_write, stride, extent(stride));
+        add_pass("air", in_.air.model.air, layer, shades, ImageUse::storage_write, stride, extent(stride));
         for (; stride > 1; stride /= 2) layer = add_between(layer, shades, stride / 2);
         return layer;
     }
@@ -64,12 +64,12 @@ private:
         AirLayer const made = add_layer(stride);
         std::size_t const texels = std::min<std::size_t>(extent(stride).pixels(), WORK_LIST_MOST);
         WorkListId const list = graph_.add_work_list("air_work_" + std::to_string(stride), texels);
-        add_pass("air_fill", in_.model.air_fill, made,
+        add_pass("air_fill", in_.air.model.air_fill, made,
                  {fills(AIR_WORK_SLOT, list), sampled(AIR_COARSE_INSCATTERED_SLOT, coarse.inscattered, NEAREST_CLAMP),
                   sampled(AIR_COARSE_TRANSMITTANCE_SLOT, coarse.transmittance, NEAREST_CLAMP)},
                  ImageUse::storage_write, stride, fill_threads(extent(stride)));
         shades.push_back(works_off(AIR_WORK_SLOT, list));
-        add_pass("air_repair", in_.model.air_repair, made, shades, ImageUse::storage_update, stride, {});
+        add_pass("air_repair", in_.air.model.air_repair, made, shades, ImageUse::storage_update, stride, {});
         return made;
     }
 
@@ -79,7 +79,7 @@ private:
         slots.insert(slots.end(), slots_.begin(), slots_.end());
         slots.push_back(out(AIR_INSCATTERED_SLOT, made.inscattered));
         slots.push_back(out(AIR_TRANSMITTANCE_SLOT, made.transmittance));
-        int const variant = in_.model.air_variant ? in_.model.air_variant(in_) : 0;
+        int const variant = in_.air.model.air_variant ? in_.air.model.air_variant(in_) : 0;
         shader::AirPush const push{stride, in_.settings.shafts == "fast" ? FAST_TOLERANCE : TOLERANCE};
         graph_.add(ComputePass{std::move(name), shader, std::move(slots), threads, bytes_of(push), variant});
     }

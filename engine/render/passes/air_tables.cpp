@@ -15,44 +15,49 @@ struct Twofold {
 
 class Maker {
 public:
-    Maker(FrameGraph& graph, FrameInputs const& in, ConstantsId frame) : graph_(graph), in_(in), frame_(frame) {
-        for (std::size_t i = 0; i < in.model.tables.size(); ++i) import(i);
+    Maker(FrameGraph& graph, ModelTables const& air, ConstantsId frame, bool ahead)
+        : graph_(graph), air_(air), frame_(frame), ahead_(ahead) {
+        for (std::size_t i = 0; i < air.model.tables.size(); ++i) import(i);
+        for (StepSlice const& slice : air.slices) make(slice);
     }
-    void make(StepSlice const& slice);
     std::vector<ImageId> finished() const;
 
 private:
-    void import(std::size_t table);
+    void import(std::size_t index);
+    void make(StepSlice const& slice);
     bool ends(StepSlice const& slice) const {
-        return slice.first + slice.count == in_.model.steps[slice.step].groups;
+        return slice.first + slice.count == air_.model.steps[slice.step].groups;
     }
 
     FrameGraph& graph_;
-    FrameInputs const& in_;
+    ModelTables const& air_;
     ConstantsId frame_;
+    bool ahead_; ///< two models may have tables of one name; those that the frame doesn't read are not shown
     std::vector<Twofold> tables_;
 };
 
 void Maker::import(std::size_t index) {
-    AirTable const& table = in_.model.tables[index];
-    TwofoldTable const& kept = in_.air_tables[index];
+    AirTable const& table = air_.model.tables[index];
+    TwofoldTable const& kept = air_.tables[index];
+    std::string const name = ahead_ ? table.name + "_ahead" : table.name;
     std::size_t last = kept.finished;
     bool is_made = false;
-    for (StepSlice const& slice : in_.table_slices) {
-        if (in_.model.steps[slice.step].makes.table != index) continue;
+    for (StepSlice const& slice : air_.slices) {
+        if (air_.model.steps[slice.step].makes.table != index) continue;
         is_made = true;
         if (ends(slice)) last = 1 - last;
     }
     Twofold& twofold = tables_.emplace_back(Twofold{{}, kept.finished});
-    twofold.images[last] = graph_.import(*kept.images[last], table.name, table.scale, kept.has_content[last]);
+    twofold.images[last] =
+        graph_.import(*kept.images[last], name, ahead_ ? ShowScale::number : table.scale, kept.has_content[last]);
     if (!is_made) return;
     std::size_t const other = 1 - last;
     twofold.images[other] =
-        graph_.import(*kept.images[other], table.name + "_before", ShowScale::number, kept.has_content[other]);
+        graph_.import(*kept.images[other], name + "_before", ShowScale::number, kept.has_content[other]);
 }
 
 void Maker::make(StepSlice const& slice) {
-    AirTableStep const& step = in_.model.steps[slice.step];
+    AirTableStep const& step = air_.model.steps[slice.step];
     Twofold& made = tables_[step.makes.table];
     ImageId const target = made.images[1 - made.finished];
     std::vector<Slot> slots{constants(FRAME_SLOT, frame_), step.updates ? updated(step.makes.slot, target)
@@ -76,9 +81,8 @@ std::vector<ImageId> Maker::finished() const {
 } // namespace
 
 AirTables add_air_tables(FrameGraph& graph, FrameInputs const& in, ConstantsId frame) {
-    Maker maker(graph, in, frame);
-    for (StepSlice const& slice : in.table_slices) maker.make(slice);
-    return {in.model.slots(graph, {in, frame, maker.finished()})};
+    if (in.air_ahead) Maker(graph, *in.air_ahead, frame, true);
+    return {in.air.model.slots(graph, {in, frame, Maker(graph, in.air, frame, false).finished()})};
 }
 
 } // namespace alpenglow

@@ -39,7 +39,7 @@ ImageId add_lighting(FrameGraph& graph, FrameInputs const& in, ConstantsId frame
                             sampled(LIGHTING_TRANSMITTANCE_SLOT, surfaces.air.transmittance, NEAREST_CLAMP),
                             stored(LIGHTING_LIT_SLOT, lit)};
     slots.insert(slots.end(), tables.slots.begin(), tables.slots.end());
-    graph.add(ComputePass{"lighting", in.model.lighting, std::move(slots), in.extent, bytes_of(push)});
+    graph.add(ComputePass{"lighting", in.air.model.lighting, std::move(slots), in.extent, bytes_of(push)});
     return lit;
 }
 
