@@ -62,7 +62,7 @@ void print_table(Stage const& stage, Extent size, int frames, std::vector<ViewTi
         if (view.times.tables.empty()) continue;
         double all = 0;
         for (auto const& [name, ms] : view.times.tables) all += ms;
-        fmt::print("  when the air changes (terrain_height and shadow_ceiling: when the sun moves), made at once: {:.1f} ms\n", all);
+        fmt::print("  when the air changes (terrain_above: the scene; other maps of terrain: also when the sun moves), made at once: {:.1f} ms\n", all);
         print_passes(view.times.tables);
     }
 }

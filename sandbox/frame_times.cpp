@@ -43,7 +43,7 @@ FrameTimes time_frames(Stage& stage, View const& view, World const& world, Exten
     for (int i = 0; i < WARM_UP_FRAMES + TABLE_FRAMES + frames; ++i) {
         if (before_frame) before_frame();
         bool const warm = i >= WARM_UP_FRAMES, makes_tables = warm && i < WARM_UP_FRAMES + TABLE_FRAMES;
-        if (makes_tables) stage.renderer().discard_air_tables(), stage.renderer().discard_shadow_ceiling();
+        if (makes_tables) stage.renderer().discard_air_tables(), stage.renderer().discard_scene_maps();
         auto const start = std::chrono::steady_clock::now();
         stage.draw(view, world, size);
         stage.renderer().wait();

@@ -55,6 +55,10 @@ constexpr std::array TABLE{
     SettingInfo{.name = "ceiling_size", .member = &Settings::ceiling_size, .smallest = 0, .largest = 8192,
                 .unit = "texels",
                 .help = "side of the map that shades air and ground beyond shadow_reach; 0: nothing is shaded there"},
+    SettingInfo{.name = "terrain_light_size", .member = &Settings::terrain_light_size, .smallest = 0, .largest = 2048,
+                .unit = "texels",
+                .help = "side of the map of the light from all round on terrain, which hides the sky from itself and "
+                        "lights itself; 0: as on level ground"},
     SettingInfo{.name = "ambient_occlusion", .member = &Settings::ambient_occlusion,
                 .help = "surfaces hide the sky from each other"},
     SettingInfo{.name = "exposure", .member = &Settings::exposure, .smallest = -32, .largest = 32, .unit = "stops",

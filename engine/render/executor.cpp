@@ -58,8 +58,8 @@ void full_barrier(VkCommandBuffer commands) {
 VkImageUsageFlags transient_usage(ImageShape const& shape) {
     VkImageUsageFlags const common = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
     if (shape.is_depth()) return common | VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
-    if (shape.format == VK_FORMAT_R32G32B32A32_SFLOAT || shape.format == VK_FORMAT_R32_SFLOAT ||
-        shape.format == VK_FORMAT_R32G32_SFLOAT)
+    if (shape.format == VK_FORMAT_R32G32B32A32_SFLOAT || shape.format == VK_FORMAT_R16G16B16A16_SFLOAT ||
+        shape.format == VK_FORMAT_R32_SFLOAT || shape.format == VK_FORMAT_R32G32_SFLOAT)
         return common | VK_IMAGE_USAGE_STORAGE_BIT;
     if (shape.format == VK_FORMAT_R8G8B8A8_UNORM)
         return common | VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;

@@ -112,7 +112,8 @@ int curve_index(std::string_view name) {
 }
 
 shader::FrameConstants make_frame_constants(World const& world, Settings const& settings, Extent extent,
-                                            ShadowFit const& shadow, CeilingFit const& ceiling, int sample_index) {
+                                            ShadowFit const& shadow, CeilingFit const& ceiling,
+                                            TerrainFit const& terrain, int sample_index) {
     Camera const& camera = world.camera;
     shader::FrameConstants frame{};
     frame.atmosphere = atmosphere_of(world.planet);
@@ -121,6 +122,7 @@ shader::FrameConstants make_frame_constants(World const& world, Settings const& 
     frame.clip_from_relative[PROJECTION_VIEW] = view_clip(camera, extent, jitter);
     set_cascades(frame, shadow, camera.position);
     frame.ceiling = ceiling_constants(ceiling, shadow.light_from_world, camera.position);
+    frame.terrain = terrain_constants(terrain, camera.position);
     frame.shaded_altitude = static_cast<float>(ceiling.shaded_altitude);
     set_shaded_slabs(frame, ceiling);
 

@@ -5,6 +5,7 @@
 #include "interop/frame.h"
 #include "render/atmosphere_constants.h"
 #include "render/ceiling_fit.h"
+#include "render/terrain_fit.h"
 #include "scene/view.h"
 
 namespace alpenglow {
@@ -20,7 +21,8 @@ int curve_index(std::string_view name);
 
 /// Everything the shaders know of a frame.
 shader::FrameConstants make_frame_constants(World const& world, Settings const& settings, Extent extent,
-                                            ShadowFit const& shadow, CeilingFit const& ceiling, int sample_index);
+                                            ShadowFit const& shadow, CeilingFit const& ceiling,
+                                            TerrainFit const& terrain, int sample_index);
 
 /// The name under which `show` knows the picture of which cascade shades what.
 inline constexpr char const* SHOW_CASCADES = "cascades";

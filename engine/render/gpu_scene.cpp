@@ -159,6 +159,13 @@ void GpuScene::draw(DrawContext& context, std::span<std::uint32_t const> items, 
     }
 }
 
+RasterState GpuScene::surface_pipeline() const {
+    return {.vertex = shaders::mesh_vert,
+            .fragment = shaders::gbuffer_frag,
+            .vertices = vertex_layout(),
+            .set1 = material_layout()};
+}
+
 std::vector<RasterState> GpuScene::depth_pipelines(float slope_bias) const {
     RasterState const opaque{.vertex = shaders::mesh_vert,
                              .vertices = vertex_layout(),

@@ -49,6 +49,8 @@ public:
     enum class Which { all, opaque, masked };
     void draw(DrawContext& context, std::span<std::uint32_t const> items, glm::dvec3 const& camera, int projection,
               Which which, bool cull) const;
+    /// Of passes that draw surfaces into a G-buffer.
+    RasterState surface_pipeline() const;
     /// Draws the items' depth alone, in a pass with the `depth_pipelines`: the opaque ones, then those with holes.
     void draw_depth(DrawContext& context, std::span<std::uint32_t const> items, glm::dvec3 const& camera,
                     int projection) const;

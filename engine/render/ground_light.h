@@ -18,9 +18,9 @@ struct GroundAround {
 /// The planet alone: its `ground_albedo`, at altitude 0.
 GroundAround planet_ground(Planet const& planet);
 
-/// The mean over what an eye some kilometres above the camera sees of the ground below, each patch by its solid angle
-/// and the rest as the planet's. So it gives way to the planet's with the altitude and away from the scene. `patches`:
-/// of the scene that stands there.
-GroundAround ground_around(World const& world, std::span<GroundPatch const> patches);
+/// The mean over what an eye some kilometres above `place` [m], world, sees of the ground below, each patch by its solid
+/// angle and the rest as the planet's. So it gives way to the planet's with the altitude and away from the scene.
+/// `patches`: of the scene that stands there.
+GroundAround ground_around(Planet const& planet, glm::dvec3 const& place, std::span<GroundPatch const> patches);
 
 } // namespace alpenglow

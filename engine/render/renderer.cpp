@@ -23,19 +23,27 @@ ImageShape table_shape(std::uint32_t width, std::uint32_t height) {
 }
 
 std::vector<shader::FrameConstants> supersample_constants(World const& world, Settings const& settings, Extent extent,
-                                                          ShadowFit const& shadow, CeilingFit const& ceiling) {
+                                                          ShadowFit const& shadow, CeilingFit const& ceiling,
+                                                          TerrainFit const& terrain) {
     std::vector<shader::FrameConstants> result;
     for (int i = 0; i < settings.aa; ++i)
-        result.push_back(make_frame_constants(world, settings, extent, shadow, ceiling, i));
+        result.push_back(make_frame_constants(world, settings, extent, shadow, ceiling, terrain, i));
     return result;
+}
+
+/// Without air, or a model of it that knows how it lights terrain, there is no map.
+int terrain_map_size(World const& world, Settings const& settings) {
+    bool const lit = world.planet.has_air && !world.studio && air_model(settings.model).sky;
+    return lit ? settings.terrain_light_size : 0;
 }
 
 } // namespace
 
-/// What is drawn into for the sun's shadows.
+/// Where the maps of the scene lie.
 struct Renderer::Fits {
     ShadowFit shadow;
     CeilingFit ceiling;
+    TerrainFit terrain;
 };
 
 /// A frame, and all that its graph refers to.
@@ -43,15 +51,18 @@ struct Renderer::Composed {
     Composed(Renderer& by, World const& world, Settings const& settings, Extent extent, Fits const& fits,
              double seconds)
         : ceiling(by.ceiling_.of(fits.ceiling)),
-          constants(supersample_constants(world, settings, extent, fits.shadow, fits.ceiling)),
+          constants(supersample_constants(world, settings, extent, fits.shadow, fits.ceiling, fits.terrain)),
           read(by.air_tables_.of(air_model(settings.model))),
           spreads(settings.spread_tables && read.planet == world.planet.name),
           made(spreads ? by.tables_to_make(read, constants.front().atmosphere) : read),
           work(table_work(made, constants.front().atmosphere, spreads, by.table_pace_)),
-          ground(by.scene_ ? ground_around(world, by.scene_->ground()) : planet_ground(world.planet)),
+          terrain_cause{fits.terrain, fits.ceiling, constants.front().atmosphere},
+          terrain(by.terrain_.of(terrain_cause, !is_ahead() && !work.slices.empty())),
+          ground(by.ground_at(world.camera.position, world.planet)),
+          terrain_ground(terrain.light_is_new ? by.ground_at(middle(fits.terrain), world.planet) : ground),
           air{read.model, read.tables, {}}, air_made{made.model, made.tables, work.slices},
-          inputs{world, settings, extent, by.scene_.get(), fits.shadow, ceiling, constants,
-                 is_ahead() ? air : air_made, is_ahead() ? &air_made : nullptr, ground, by.exposure_, seconds,
+          inputs{world, settings, extent, by.scene_.get(), fits.shadow, ceiling, terrain, constants,
+                 is_ahead() ? air : air_made, is_ahead() ? &air_made : nullptr, ground, terrain_ground, by.exposure_, seconds,
                  *by.mean_, *by.picture_} {
         build_frame(graph, inputs);
     }
@@ -66,14 +77,16 @@ struct Renderer::Composed {
     bool spreads; ///< the making of tables over frames
     AirTableStore::Kept& made;
     TableWork work; ///< on those
-    GroundAround ground;
+    TerrainLightCause terrain_cause;
+    TerrainMaps terrain;
+    GroundAround ground, terrain_ground;
     ModelTables air, air_made;
     FrameInputs inputs;
     FrameGraph graph;
 };
 
 Renderer::Renderer(Device const& device, std::uint32_t frames_in_flight, Switches switches)
-    : device_(device), executor_(device, frames_in_flight), air_tables_(device), ceiling_(device), switches_(switches),
+    : device_(device), executor_(device, frames_in_flight), air_tables_(device), ceiling_(device), terrain_(device), switches_(switches),
       exposure_(device, table_shape(1, 1), KEPT | VK_IMAGE_USAGE_TRANSFER_DST_BIT, "exposure"),
       seconds_(ADAPTED_AT_ONCE) {
     upload(device, exposure_, bytes_of(shader::ExposureState{1, 0, 0, 0}));
@@ -89,6 +102,7 @@ void Renderer::set_scene(Scene const* scene, Placement const& placement, double 
     executor_.stop_preparing();
     executor_.wait();
     ceiling_.discard();
+    terrain_.discard();
     shown_.reset();
     prepared_.reset();
     scene_ = scene ? std::make_unique<GpuScene>(device_, *scene, placement, planet_radius) : nullptr;
@@ -111,7 +125,13 @@ Renderer::Fits Renderer::fit(World const& world, Settings const& settings) const
     ShadowSettings const wanted{settings.cascades, settings.cascade_size, settings.shadow_reach};
     int const size = settings.shadows || settings.shafts != "off" ? settings.ceiling_size : 0;
     return {fit_cascades(shading, world.camera, world.to_sun, wanted),
-            fit_ceiling(shading, scene_->highest_altitude(), world.planet, world.to_sun, size)};
+            fit_ceiling(shading, scene_->highest_altitude(), world.planet, world.to_sun, size),
+            fit_terrain(shading, world.planet, terrain_map_size(world, settings))};
+}
+
+/// Of the ground below that place.
+GroundAround Renderer::ground_at(glm::dvec3 const& place, Planet const& planet) const {
+    return scene_ ? ground_around(planet, place, scene_->ground()) : planet_ground(planet);
 }
 
 /// Those that a switch waits for; the picture's own, which it reads; then those that the next switch may need.
@@ -167,11 +187,13 @@ void Renderer::draw(World const& world, Settings const& wanted, Extent extent, F
     settings_shown_ = settings == wanted;
     Fits const fits = fit(world, settings);
     if (!ceiling_.fits(fits.ceiling)) executor_.wait(), ceiling_.replace(fits.ceiling);
+    if (!terrain_.fits(fits.terrain)) executor_.wait(), terrain_.replace(fits.terrain);
     table_pace_.note(executor_.timings(), table_passes());
     Composed frame(*this, world, settings, extent, fits, std::exchange(seconds_, ADAPTED_AT_ONCE));
     if (finish) finish(frame.graph, frame.graph.find("picture"));
     executor_.submit(frame.graph, sync);
     ceiling_.finish(fits.ceiling);
+    terrain_.finish(frame.terrain);
     air_ = frame.constants.front().atmosphere;
     finish_work(frame.made, air_, world.planet.name, frame.work);
     tables_ = &frame.read;
@@ -210,6 +232,7 @@ shader::ExposureState Renderer::exposure() {
 GpuImage* Renderer::kept_image(std::string const& name) {
     if (name == "radiance") return mean_.get();
     if (name == "shadow_ceiling") return ceiling_.map();
+    if (name == "terrain_light") return terrain_.light();
     if (name == "picture") return picture_.get();
     return tables_ ? tables_->find(name) : nullptr;
 }

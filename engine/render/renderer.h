@@ -20,7 +20,7 @@ enum class Switches {
                 ///< model of the air until the tables of another are finished, where those are spread over frames
 };
 
-/// Draws a world into a picture. Owns what outlives a frame: the tables of the air, the shadow ceiling, the mean,
+/// Draws a world into a picture. Owns what outlives a frame: the tables of the air, the maps of the scene, the mean,
 /// the picture, the scene.
 class Renderer {
 public:
@@ -44,8 +44,8 @@ public:
     void wait() { executor_.wait(); }
     /// The next frame makes the tables of its model of the air anew, at once; for measuring.
     void discard_air_tables() { air_tables_.discard(); }
-    /// The next frame makes the map of the shadow ceiling anew; for measuring.
-    void discard_shadow_ceiling() { ceiling_.discard(); }
+    /// The next frame makes the shadow ceiling and the light on terrain anew; for measuring.
+    void discard_scene_maps() { ceiling_.discard(), terrain_.discard(); }
     /// Whether the last picture was of finished tables; another frame goes on with them.
     bool tables_finished() const { return !tables_ || tables_->finished_for(air_); }
     /// Whether those of all models are finished for its air; with `Switches::when_ready` and `spread_tables` frames go
@@ -76,6 +76,7 @@ private:
     struct Fits;
     struct Composed;
     Fits fit(World const& world, Settings const& settings) const;
+    GroundAround ground_at(glm::dvec3 const& place, Planet const& planet) const;
     Settings const& settings_to_show(World const& world, Settings const& wanted, Extent extent);
     bool prepare(World const& world, Settings const& settings, Extent extent);
     AirTableStore::Kept& tables_to_make(AirTableStore::Kept& read, shader::Atmosphere const& air);
@@ -88,6 +89,7 @@ private:
     std::unique_ptr<GpuScene> scene_;
     AirTableStore air_tables_;
     CeilingStore ceiling_;
+    TerrainStore terrain_;
     TablePace table_pace_;
     AirTableStore::Kept const* tables_ = nullptr; ///< of the last picture's model
     AirTableStore::Kept* awaited_ = nullptr;      ///< tables for whose model the next picture does not have it yet

@@ -6,6 +6,7 @@
 #define AMBIENT_OCCLUSION_NORMAL_SLOT 1 // in, the G-buffer: interop/gbuffer.h
 #define AMBIENT_OCCLUSION_DEPTH_SLOT 2
 #define AMBIENT_OCCLUSION_RESULT_SLOT 3 // out, r32f: 0 to 1, with the noise of few directions
+#define AMBIENT_OCCLUSION_TERRAIN_SLOT 4 // in, interop/terrain_light.h: linear filter, clamped to the edge
 
 #define AMBIENT_OCCLUSION_NOISY_SLOT 0 // in
 #define AMBIENT_OCCLUSION_NEAR_SLOT 1  // in, depth

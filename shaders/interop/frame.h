@@ -3,6 +3,7 @@
 #define ALPENGLOW_INTEROP_FRAME_H
 #include "interop/atmosphere.h"
 #include "interop/shadow_ceiling.h"
+#include "interop/terrain_light.h"
 
 #define FRAME_SLOT 0 // of every pass that takes FrameConstants: uniform buffer
 
@@ -50,6 +51,7 @@ struct FrameConstants {
     int cascade_count;
     float shadow_fade;             // share of the last cascade's half width over which it fades
     ShadowCeiling ceiling;
+    TerrainMap terrain;
     vec4 shaded_slabs[3];          // meshes shade the air only where dot(slab.xyz, light) + slab.w is 0 to 1 in all;
                                    // light: in the sun's frame, from the camera [m]
     float shaded_altitude;         // [m] and below this
@@ -75,7 +77,7 @@ struct FrameConstants {
     int exact_cells;               // even cells where a mesh can shade the air, beside `samples`; 0: some of the samples
     int sample_index;              // which supersample this is
 };
-CHECK_SIZE(FrameConstants, 2368);
+CHECK_SIZE(FrameConstants, 2444);
 
 SHADER_NAMESPACE_END
 #endif

@@ -15,6 +15,7 @@
 #define LIGHTING_INSCATTERED_SLOT 9         // in, what the air in front of the pixel adds and lets through: interop/air.h
 #define LIGHTING_TRANSMITTANCE_SLOT 10
 #define LIGHTING_CEILING_SLOT 11            // in, interop/shadow_ceiling.h: linear filter, clamped to the edge
+#define LIGHTING_TERRAIN_SLOT 12            // in, interop/terrain_light.h: likewise
 
 // What the shader shows in place of the radiance.
 #define LIGHTING_RESULT 0

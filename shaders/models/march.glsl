@@ -6,6 +6,8 @@
 layout(set = 0, binding = MARCH_TRANSMITTANCE_SLOT) uniform sampler2D transmittance_table;
 layout(set = 0, binding = MARCH_MULTIPLE_SCATTERING_SLOT) uniform sampler2D multiple_scattering_table;
 
+#define LIGHT_OF_TERRAIN // for passes that read its map
+
 #ifdef LIGHT_OF_RAYS
 #include "frame/air_march.glsl"
 

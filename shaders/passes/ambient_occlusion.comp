@@ -12,11 +12,15 @@
 layout(local_size_x = WORKGROUP_SIZE, local_size_y = WORKGROUP_SIZE) in;
 layout(binding = AMBIENT_OCCLUSION_NORMAL_SLOT) uniform sampler2D normal_image;
 layout(binding = AMBIENT_OCCLUSION_DEPTH_SLOT) uniform sampler2D depth_image;
+layout(binding = AMBIENT_OCCLUSION_TERRAIN_SLOT) uniform sampler2D terrain_light_image;
 layout(binding = AMBIENT_OCCLUSION_RESULT_SLOT, r32f) uniform writeonly image2D result;
+
+#include "frame/terrain_light.glsl"
 
 const int PLANES = 2;      // of each pixel; its neighbours look into others
 const int STEPS = 6;       // to each side, closer together near the pixel
 const float REACH = 0.5;   // of the picture's height
+const float TERRAIN_REACH = 2.0; // [texels] what is further away, the map of the light on terrain knows
 
 // A pixel's place relative to the camera [m], by a distance of 1 m along the camera's axis.
 vec3 pixel_ray(vec2 at) {
@@ -69,6 +73,7 @@ float visibility(ivec2 pixel, float depth) {
     vec3 place = along * distance;
     vec3 normal = unit_from_octahedral(texelFetch(normal_image, pixel, 0).xy);
     float pixels = REACH / frame.inverse_size.y, reach = 2.0 * REACH * length(frame.ray_up) * distance;
+    reach = mix(reach, min(reach, TERRAIN_REACH * frame.terrain.texel), terrain_point(place).share);
     float turn = interleaved(pixel), offset = fract(turn * 4.0 + 0.125);
     vec3 level = normalize(frame.ray_right - dot(frame.ray_right, to_camera) * to_camera);
     float sum = 0.0;

@@ -20,23 +20,38 @@ layout(set = 0, binding = LIGHTING_OPEN_SLOT) uniform sampler2D open_image;
 layout(set = 0, binding = LIGHTING_INSCATTERED_SLOT) uniform sampler2D inscattered_image;
 layout(set = 0, binding = LIGHTING_TRANSMITTANCE_SLOT) uniform sampler2D transmittance_image;
 layout(set = 0, binding = LIGHTING_CEILING_SLOT) uniform sampler2D ceiling_map;
+layout(set = 0, binding = LIGHTING_TERRAIN_SLOT) uniform sampler2D terrain_light_image;
 layout(set = 0, binding = LIGHTING_LIT_SLOT, rgba32f) uniform writeonly image2D lit_image;
 layout(push_constant, scalar) uniform Push { LightingPush push; };
 
 #include "frame/celestial.glsl"
 #include "frame/pixel_ray.glsl"
 #include "frame/sun_shadow.glsl"
+#include "frame/terrain_light.glsl"
 #include "models/@AIR_MODEL@.glsl" // CMakeLists.txt: once with each file of that folder
 
 bool has_flag(int flag) { return (frame.flags & flag) != 0; }
 
 float cosine(vec3 a, vec3 b) { return clamp(dot(a, b), -1.0, 1.0); }
 
-const float SHADED_SKY = 0.85; // share of the light from all round where the sun is hidden, and with it the bright sky around it: tuned against the path tracer
+// Share of the light from all round where the sun is hidden, and with it the bright sky around it, off the map of the light on
+// terrain: tuned against the path tracer.
+const float SHADED_SKY = 0.85;
 
 // What is left of the light from all round where the share `open` of it comes in and the rest is hidden by surfaces like this one
 // in the same light, which reflect it on and on.
 vec3 open_share(Surface surface, float open) { return vec3(open) / (vec3(1.0) - surface.diffuse * (1.0 - open)); }
+
+#ifdef LIGHT_OF_TERRAIN
+// Puts the map's light from all round in place of that over level ground, as far as it knows it; the result is that share.
+float light_on_terrain(inout SurfaceLight lit, vec3 relative, vec3 normal) {
+    TerrainPoint point = terrain_point(relative);
+    vec3 sky = mix(lit.sky, terrain_irradiance(point.uv, normal), point.share);
+    lit.mirrored *= sky / max(lit.sky, vec3(1e-20));
+    lit.sky = sky;
+    return point.share;
+}
+#endif
 
 // Light that leaves a surface towards the camera, for a unit of the sun's irradiance above the air, and the shadow on it.
 vec3 surface_radiance(ViewRay ray, AirPoint place) {
@@ -72,6 +87,9 @@ vec3 surface_radiance(ViewRay ray, AirPoint place) {
     }
 
     float shaded_sky = has_flag(FRAME_HAS_AIR) ? mix(SHADED_SKY, 1.0, visibility) : 1.0; // without air no sky is bright around the sun
+#ifdef LIGHT_OF_TERRAIN
+    shaded_sky = mix(shaded_sky, 1.0, light_on_terrain(lit, ray.direction * ray.distance, shading));
+#endif
     float n_v = clamp(dot(shading, to_camera), 0.0, 1.0);
     vec3 radiance = reflect_light(surface, shading, to_camera, frame.to_sun) * lit.sun * visibility +
                     reflect_ambient(surface, n_v, lit.sky, lit.mirrored) * open_share(surface, albedo.a * texelFetch(open_image, pixel, 0).r) * shaded_sky;

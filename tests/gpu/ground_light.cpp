@@ -109,7 +109,7 @@ protected:
         renderer().draw(world, plain_settings(), {8, 8});
         EXPECT_TRUE(pass_ran());
         std::vector<glm::vec4> const found = table("light_over_ground");
-        GroundAround const ground = ground_around(world, ground_patches(scene, stand.world_from_scene(), stand.planet.radius));
+        GroundAround const ground = ground_around(world.planet, world.camera.position, ground_patches(scene, stand.world_from_scene(), stand.planet.radius));
         EXPECT_GT(ground.albedo.x, 0.5f);
         EXPECT_LT(ground.albedo.z, 0.15f);
         for (std::size_t node = 0; node < LightTable::nodes(); node += 7)

@@ -40,7 +40,7 @@ struct MeshPlace {
         MeshShot shot{camera, {}, {}};
         shot.camera.position += static_cast<double>(index) * step;
         World const world{make_earth(), shot.camera, {0, 0, 1}};
-        shot.clip_from_relative = make_frame_constants(world, {}, FULL_HD, {}, {}, 0).clip_from_relative[PROJECTION_VIEW];
+        shot.clip_from_relative = make_frame_constants(world, {}, FULL_HD, {}, {}, {}, 0).clip_from_relative[PROJECTION_VIEW];
         shot.draw = make_mesh_draw(world_from_mesh, glm::inverse(world_from_mesh), shot.camera.position, PROJECTION_VIEW);
         return shot;
     }

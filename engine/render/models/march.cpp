@@ -82,10 +82,12 @@ std::vector<AirTableStep> make_steps() {
     return steps;
 }
 
-/// The table of all orders over the ground that is around the camera: of this frame, made from the planet's.
-ImageId orders_over_ground(FrameGraph& graph, AirTableInputs const& inputs) {
+/// The table of all orders over that ground: of this frame, made from the planet's, whose own it is where that is the
+/// planet's ground.
+ImageId orders_over(FrameGraph& graph, AirTableInputs const& inputs, GroundAround const& ground, char const* name) {
+    if (ground == planet_ground(inputs.in.world.planet)) return inputs.tables[ORDERS];
     ImageShape const shape{VK_FORMAT_R32G32B32A32_SFLOAT, moments_size(NODES)};
-    ImageId const orders = graph.add_image("light_over_ground", shape, ShowScale::logarithm);
+    ImageId const orders = graph.add_image(name, shape, ShowScale::logarithm);
     graph.add(ComputePass{"ground_light",
                           shaders::ground_light_comp,
                           {constants(FRAME_SLOT, inputs.frame),
@@ -94,14 +96,18 @@ ImageId orders_over_ground(FrameGraph& graph, AirTableInputs const& inputs) {
                            sampled(GROUND_LIGHT_RESPONSE_SLOT, inputs.tables[RESPONSE]),
                            stored(GROUND_LIGHT_TABLE_SLOT, orders)},
                           NODES,
-                          bytes_of(shader::GroundLightPush{inputs.in.ground.albedo, inputs.in.ground.altitude})});
+                          bytes_of(shader::GroundLightPush{ground.albedo, ground.altitude})});
     return orders;
 }
 
 std::vector<Slot> model_slots(FrameGraph& graph, AirTableInputs const& inputs) {
-    bool const own = inputs.in.ground == planet_ground(inputs.in.world.planet);
     return {sampled(MARCH_TRANSMITTANCE_SLOT, inputs.tables[TRANSMITTANCE]),
-            sampled(MARCH_MULTIPLE_SCATTERING_SLOT, own ? inputs.tables[ORDERS] : orders_over_ground(graph, inputs))};
+            sampled(MARCH_MULTIPLE_SCATTERING_SLOT,
+                    orders_over(graph, inputs, inputs.in.ground, "light_over_ground"))};
+}
+
+SkyTables sky_tables(FrameGraph& graph, AirTableInputs const& inputs, GroundAround const& ground) {
+    return {inputs.tables[TRANSMITTANCE], orders_over(graph, inputs, ground, "light_over_terrain")};
 }
 
 int air_variant(FrameInputs const& in) {
@@ -133,6 +139,7 @@ AirModel make_march() {
                        {"multiple_scattering", moments_size(NODES), ShowScale::logarithm}},
             .steps = make_steps(),
             .slots = model_slots,
+            .sky = sky_tables,
             .air_variant = air_variant,
             .air_stride = air_stride,
             .limits = [](World const&, Settings const&, bool) -> std::string_view { return {}; }};

@@ -53,6 +53,9 @@ struct AirModel {
     /// Gives what these passes bind behind their own slots, numbered from AIR_MODEL_SLOT on, and declares the
     /// passes that fill tables of this frame's view.
     std::vector<Slot> (*slots)(FrameGraph& graph, AirTableInputs const& inputs);
+    /// Tables over that ground, from which the light on terrain is made. Models without this light surfaces as if all
+    /// around were level.
+    SkyTables (*sky)(FrameGraph& graph, AirTableInputs const& inputs, GroundAround const& ground) = nullptr;
     /// Which variant of the air's passes draws this frame: their specialization constant 0. Models without any have none.
     int (*air_variant)(FrameInputs const& in) = nullptr;
     /// From one pixel to the next whose air is worked out [pixels]: 1, 2 or 4; between them it is interpolated where it

@@ -82,7 +82,10 @@ std::vector<ImageId> Maker::finished() const {
 
 AirTables add_air_tables(FrameGraph& graph, FrameInputs const& in, ConstantsId frame) {
     if (in.air_ahead) Maker(graph, *in.air_ahead, frame, true);
-    return {in.air.model.slots(graph, {in, frame, Maker(graph, in.air, frame, false).finished()})};
+    AirTableInputs const inputs{in, frame, Maker(graph, in.air, frame, false).finished()};
+    AirModel const& model = in.air.model;
+    return {model.slots(graph, inputs),
+            in.terrain.light_is_new ? model.sky(graph, inputs, in.terrain_ground) : SkyTables{}};
 }
 
 } // namespace alpenglow

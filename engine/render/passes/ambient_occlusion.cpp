@@ -7,7 +7,7 @@
 namespace alpenglow {
 
 ImageId add_ambient_occlusion(FrameGraph& graph, FrameInputs const& in, ConstantsId frame, GBuffer const& gbuffer,
-                              int sample) {
+                              ImageId terrain_light, int sample) {
     ImageShape const shape{VK_FORMAT_R32_SFLOAT, in.extent};
     auto const image = [&](char const* name) {
         return sample == 0 ? graph.add_image(name, shape, ShowScale::unit) : graph.find(name);
@@ -18,6 +18,7 @@ ImageId add_ambient_occlusion(FrameGraph& graph, FrameInputs const& in, Constant
                           {constants(FRAME_SLOT, frame),
                            sampled(AMBIENT_OCCLUSION_NORMAL_SLOT, gbuffer.normal, NEAREST_CLAMP),
                            sampled(AMBIENT_OCCLUSION_DEPTH_SLOT, gbuffer.depth, NEAREST_CLAMP),
+                           sampled(AMBIENT_OCCLUSION_TERRAIN_SLOT, terrain_light),
                            stored(AMBIENT_OCCLUSION_RESULT_SLOT, noisy)},
                           in.extent});
     graph.add(ComputePass{"ambient_occlusion_smooth",

@@ -9,23 +9,16 @@ namespace alpenglow {
 namespace {
 
 GBuffer make_images(FrameGraph& graph, Extent extent) {
-    return {graph.add_image("albedo", {VK_FORMAT_R8G8B8A8_SRGB, extent}, ShowScale::unit),
-            graph.add_image("normal", {VK_FORMAT_R16G16B16A16_SNORM, extent}, ShowScale::normal),
-            graph.add_image("material", {VK_FORMAT_R8G8B8A8_UNORM, extent}, ShowScale::unit),
-            graph.add_image("emission", {VK_FORMAT_B10G11R11_UFLOAT_PACK32, extent}, ShowScale::radiance),
+    return {graph.add_image("albedo", {ALBEDO_FORMAT, extent}, ShowScale::unit),
+            graph.add_image("normal", {NORMAL_FORMAT, extent}, ShowScale::normal),
+            graph.add_image("material", {MATERIAL_FORMAT, extent}, ShowScale::unit),
+            graph.add_image("emission", {EMISSION_FORMAT, extent}, ShowScale::radiance),
             graph.add_image("depth", {VK_FORMAT_D32_SFLOAT, extent}, ShowScale::depth)};
 }
 
 GBuffer find_images(FrameGraph const& graph) {
     return {graph.find("albedo"), graph.find("normal"), graph.find("material"), graph.find("emission"),
             graph.find("depth")};
-}
-
-RasterState scene_pipeline(GpuScene const& scene) {
-    return {.vertex = shaders::mesh_vert,
-            .fragment = shaders::gbuffer_frag,
-            .vertices = GpuScene::vertex_layout(),
-            .set1 = scene.material_layout()};
 }
 
 RasterState planet_pipeline() { return {.vertex = shaders::fullscreen_vert, .fragment = shaders::planet_frag}; }
@@ -55,7 +48,7 @@ GBuffer add_gbuffer(FrameGraph& graph, FrameInputs const& in, ConstantsId frame,
     pass.depth = gbuffer.depth;
     pass.clear_depth = 0.0f;
     pass.slots = {constants(FRAME_SLOT, frame)};
-    if (in.scene) pass.pipelines.push_back(scene_pipeline(*in.scene));
+    if (in.scene) pass.pipelines.push_back(in.scene->surface_pipeline());
     if (!in.world.studio) pass.pipelines.push_back(planet_pipeline());
     pass.draw = [&in](DrawContext& context) {
         std::size_t pipeline = 0;

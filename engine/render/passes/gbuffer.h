@@ -4,7 +4,7 @@
 
 namespace alpenglow {
 
-/// What each pixel sees: the scene's meshes and the planet's body. Formats and precision: interop/gbuffer.h.
+/// What each pixel sees: the scene's meshes and the planet's body.
 GBuffer add_gbuffer(FrameGraph& graph, FrameInputs const& in, ConstantsId frame, int sample);
 
 } // namespace alpenglow

@@ -34,6 +34,7 @@ ImageId add_lighting(FrameGraph& graph, FrameInputs const& in, ConstantsId frame
                             sampled(LIGHTING_DEPTH_SLOT, gbuffer.depth, NEAREST_CLAMP),
                             sampled_array(LIGHTING_SHADOW_SLOT, shadow.cascades, SHADOW_COMPARE),
                             sampled(LIGHTING_CEILING_SLOT, shadow.ceiling),
+                            sampled(LIGHTING_TERRAIN_SLOT, surfaces.terrain_light),
                             sampled(LIGHTING_OPEN_SLOT, surfaces.open, NEAREST_CLAMP),
                             sampled(LIGHTING_INSCATTERED_SLOT, surfaces.air.inscattered, NEAREST_CLAMP),
                             sampled(LIGHTING_TRANSMITTANCE_SLOT, surfaces.air.transmittance, NEAREST_CLAMP),

@@ -1,0 +1,33 @@
+// Places and directions of the map of the light on terrain: interop/terrain_light.h.
+#ifndef ALPENGLOW_FRAME_TERRAIN_MAP
+#define ALPENGLOW_FRAME_TERRAIN_MAP
+#include "atmosphere/math.glsl"
+#include "interop/frame_block.glsl"
+
+// Bounds of the bands, by the sine of the elevation: closer together where the sky changes most.
+const float TERRAIN_BAND_EDGES[TERRAIN_BANDS + 1] =
+    float[](-1.0, -0.6, -0.3, -0.12, 0.0, 0.06, 0.14, 0.25, 0.4, 0.58, 0.78, 1.0);
+
+// (x, y) of a texel's middle [m].
+vec2 terrain_place(ivec2 texel) {
+    vec2 across = vec2(texel.x, frame.terrain.size - 1 - texel.y) + 0.5;
+    return frame.terrain.lowest + across * frame.terrain.texel;
+}
+
+vec2 terrain_uv(vec2 place) {
+    vec2 at = (place - frame.terrain.lowest) / (frame.terrain.texel * float(frame.terrain.size));
+    return vec2(at.x, 1.0 - at.y);
+}
+
+float terrain_height(float depth) { return frame.terrain.bottom + depth * frame.terrain.range; }
+
+// By how much the planet's sphere has sunk below the level through the origin [m].
+float sphere_fall(vec2 place) { return dot(place, place) / (2.0 * frame.atmosphere.ground_radius); }
+
+// Middle of an azimuth's sector, in the map's (x, y).
+vec2 terrain_azimuth(float i) {
+    float angle = 2.0 * PI * i / float(TERRAIN_AZIMUTHS);
+    return vec2(cos(angle), sin(angle));
+}
+
+#endif

@@ -1,0 +1,55 @@
+// Light from all round on a scene's terrain, which hides the sky from itself and lights itself: a square map of the scene from
+// above, in axes of its own: x and y level, z up, from the scene's origin [m]. docs/terrain_light.md.
+// Pass `terrain_above`: the G-buffer of the scene from above; depth grows with the height. Row 0 is at the largest y.
+// Pass `terrain_sky`: rgba32f, radiance of sky and planet without terrain: a column for each azimuth and band of
+// elevations, a row for each height.
+// Pass `terrain_glow`: rgba32f, radiance of the terrain under sun and open sky; alpha: its height z [m].
+// `terrain_facing`: rgba16f, its normal in the map's axes.
+// Pass `terrain_light`: rgba16f in tiles one above the other, irradiance as nine spherical harmonics of three channels
+// in the map's axes; alpha of the last: the height as depth has it.
+// Radiance and irradiance are per unit of the sun's above the air.
+#ifndef ALPENGLOW_INTEROP_TERRAIN_LIGHT_H
+#define ALPENGLOW_INTEROP_TERRAIN_LIGHT_H
+#include "interop/language.h"
+
+#define TERRAIN_AZIMUTHS 8
+#define TERRAIN_BANDS 11
+#define TERRAIN_ALTITUDES 8
+#define TERRAIN_LIGHT_TILES 7
+
+#define TERRAIN_SKY_TRANSMITTANCE_SLOT 1 // in, tables: linear filter, clamped to the edge
+#define TERRAIN_SKY_ORDERS_SLOT 2        // in, light of all orders
+#define TERRAIN_SKY_RESULT_SLOT 3        // out
+
+#define TERRAIN_GLOW_TRANSMITTANCE_SLOT 1 // in, as above
+#define TERRAIN_GLOW_ORDERS_SLOT 2
+#define TERRAIN_GLOW_ALBEDO_SLOT 3        // in, from above: interop/gbuffer.h
+#define TERRAIN_GLOW_NORMAL_SLOT 4
+#define TERRAIN_GLOW_DEPTH_SLOT 5
+#define TERRAIN_GLOW_CEILING_SLOT 6       // in, interop/shadow_ceiling.h
+#define TERRAIN_GLOW_RESULT_SLOT 7        // out
+#define TERRAIN_GLOW_FACING_SLOT 8
+
+#define TERRAIN_LIGHT_SKY_SLOT 1    // in, linear filter, clamped to the edge
+#define TERRAIN_LIGHT_GLOW_SLOT 2   // in
+#define TERRAIN_LIGHT_FACING_SLOT 3 // in
+#define TERRAIN_LIGHT_RESULT_SLOT 4 // out
+
+SHADER_NAMESPACE_BEGIN
+
+// Where the map lies.
+struct TerrainMap {
+    vec3 x, y, z;   // its axes, unit, world
+    vec3 origin;    // from the camera, world axes [m]
+    vec2 lowest;    // (x, y) of its corner [m]
+    float texel;    // [m]
+    float bottom;   // z = bottom + depth * range [m]
+    float range;
+    float altitude; // of the origin [m]
+    int size;       // [texels]; 0: no map
+};
+CHECK_SIZE(TerrainMap, 76);
+
+SHADER_NAMESPACE_END
+
+#endif

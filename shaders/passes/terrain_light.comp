@@ -1,0 +1,100 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+#include "frame/terrain_map.glsl"
+
+// From each texel the terrain is followed outwards in each azimuth: what rises above all before it is seen, and above the last
+// of it the sky.
+layout(local_size_x = WORKGROUP_SIZE, local_size_y = WORKGROUP_SIZE) in;
+layout(binding = TERRAIN_LIGHT_SKY_SLOT) uniform sampler2D sky_image;
+layout(binding = TERRAIN_LIGHT_GLOW_SLOT) uniform sampler2D glow_image;
+layout(binding = TERRAIN_LIGHT_FACING_SLOT) uniform sampler2D facing_image;
+layout(binding = TERRAIN_LIGHT_RESULT_SLOT, rgba16f) uniform writeonly image2D result;
+
+const int STEPS = 20;                     // the last is 600 texels away
+const float GROWTH = 1.3, FURTHER = 0.5;  // each step is so much longer than the last [texels]
+
+// Light of one sector by the elevation, of which s is the sine and c the cosine: the sums of radiance times 1, s, c, s c and s².
+struct Sector {
+    vec3 one, s, c, sc, ss;
+};
+
+Sector empty_sector() { return Sector(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0)); }
+
+// Radiance between the sines of two elevations.
+void add_light(inout Sector sector, vec3 radiance, float low, float high) {
+    float s = 0.5 * (low + high), c = sqrt(max(1.0 - s * s, 0.0));
+    vec3 light = radiance * max(high - low, 0.0);
+    sector.one += light;
+    sector.s += light * s;
+    sector.c += light * c;
+    sector.sc += light * (s * c);
+    sector.ss += light * (s * s);
+}
+
+// Adds what is seen of the terrain; the result is the sine of the horizon's elevation. Faces too steep for the map show tops that
+// turn away: these shine as what was seen last.
+float add_terrain(inout Sector sector, ivec2 at, vec2 towards) {
+    vec4 last = texelFetch(glow_image, at, 0);
+    float z = last.a, horizon = -1.0, steps = 1.0; // [texels]
+    int i = 0;
+    do {
+        ivec2 apart = ivec2(round(vec2(towards.x, -towards.y) * steps)), there = at + apart;
+        bool inside = all(greaterThanEqual(there, ivec2(0))) && all(lessThan(there, ivec2(frame.terrain.size)));
+        vec4 glow = texelFetch(glow_image, there, 0);
+        vec3 way = vec3(float(apart.x) * frame.terrain.texel, float(-apart.y) * frame.terrain.texel, glow.a - z);
+        float sine = way.z * inversesqrt(dot(way, way));
+        float high = inside ? max(sine, horizon) : horizon;
+        if (inside && dot(texelFetch(facing_image, there, 0).xyz, way) < 0.0) last = glow;
+        add_light(sector, last.rgb, horizon, high);
+        horizon = high;
+        steps = steps * GROWTH + FURTHER;
+    } while (++i < STEPS);
+    return horizon;
+}
+
+void add_sky(inout Sector sector, float horizon, int azimuth, float v) {
+    int band = 0;
+    do {
+        float u = (float(azimuth * TERRAIN_BANDS + band) + 0.5) / float(TERRAIN_AZIMUTHS * TERRAIN_BANDS);
+        float high = TERRAIN_BAND_EDGES[band + 1];
+        add_light(sector, textureLod(sky_image, vec2(u, v), 0.0).rgb, clamp(horizon, TERRAIN_BAND_EDGES[band], high), high);
+    } while (++band < TERRAIN_BANDS);
+}
+
+// Irradiance on a surface of normal n: the sum of light[i] times 1, x, y, z, x y, y z, 3 z² - 1, x z, x² - y². Each holds
+// the squared norm of its harmonic and the cosine lobe's share of its degree, pi, 2/3 pi and pi/4
+// (Ramamoorthi and Hanrahan 2001, Eqs. 3 and 8).
+const float DEGREE_0 = 0.25, DEGREE_1 = 0.5, DEGREE_2 = 15.0 / 16.0, ZONAL_2 = 5.0 / 64.0, SECTOR_2 = 15.0 / 64.0;
+
+void main() {
+    ivec2 at = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(at, ivec2(frame.terrain.size)))) return;
+    float z = texelFetch(glow_image, at, 0).a, depth = clamp((z - frame.terrain.bottom) / frame.terrain.range, 0.0, 1.0);
+    vec3 light[9] = vec3[](vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
+    int azimuth = 0;
+    do {
+        vec2 d = terrain_azimuth(float(azimuth));
+        Sector sector = empty_sector();
+        float horizon = add_terrain(sector, at, d);
+        add_sky(sector, horizon, azimuth, depth);
+        light[0] += DEGREE_0 * sector.one;
+        light[1] += DEGREE_1 * d.x * sector.c;
+        light[2] += DEGREE_1 * d.y * sector.c;
+        light[3] += DEGREE_1 * sector.s;
+        light[4] += DEGREE_2 * d.x * d.y * (sector.one - sector.ss);
+        light[5] += DEGREE_2 * d.y * sector.sc;
+        light[6] += ZONAL_2 * (3.0 * sector.ss - sector.one);
+        light[7] += DEGREE_2 * d.x * sector.sc;
+        light[8] += SECTOR_2 * (d.x * d.x - d.y * d.y) * (sector.one - sector.ss);
+    } while (++azimuth < TERRAIN_AZIMUTHS);
+    for (int i = 0; i < 9; ++i) light[i] *= 2.0 * PI / float(TERRAIN_AZIMUTHS);
+    ivec2 tile = ivec2(0, frame.terrain.size);
+    imageStore(result, at, vec4(light[0], light[1].r));
+    imageStore(result, at + tile, vec4(light[1].gb, light[2].rg));
+    imageStore(result, at + 2 * tile, vec4(light[2].b, light[3]));
+    imageStore(result, at + 3 * tile, vec4(light[4], light[5].r));
+    imageStore(result, at + 4 * tile, vec4(light[5].gb, light[6].rg));
+    imageStore(result, at + 5 * tile, vec4(light[6].b, light[7]));
+    imageStore(result, at + 6 * tile, vec4(light[8], depth));
+}
