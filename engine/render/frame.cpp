@@ -34,7 +34,7 @@ void build_frame(FrameGraph& graph, FrameInputs const& in) {
         if (sample > 0) frame = graph.add_constants(in.constants[static_cast<std::size_t>(sample)]);
         GBuffer const gbuffer = add_gbuffer(graph, in, frame, sample);
         ImageId const open = add_ambient_occlusion(graph, in, frame, gbuffer, terrain_light, sample);
-        AirLayer const air = add_air(graph, in, frame, {gbuffer.depth, shadow, shadow_bounds}, tables, sample);
+        AirLayer const air = add_air(graph, in, frame, {gbuffer.depth, shadow, shadow_bounds, terrain_light}, tables, sample);
         ImageId const lit = add_lighting(graph, in, frame, {gbuffer, open, air, terrain_light}, shadow, tables, sample);
         if (sample == 0) add_exposure(graph, lit, exposure, in.settings, in.seconds);
         toned = add_accumulate(graph, lit, mean, exposure, in.settings, sample);

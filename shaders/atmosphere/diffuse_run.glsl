@@ -12,11 +12,13 @@ SHADER_NAMESPACE_BEGIN
 struct DiffuseLight {
     vec3 root;                 // 32nd root of its mean over all directions [1/sr]
     vec3 gain[AIR_COMPONENTS]; // what each component scatters of it, per unit of its scattering, relative to the mean
+    float known;               // 0 to 1: the share of it that knows what meshes hide
 };
 
 INLINE DiffuseLight no_diffuse_light() {
     DiffuseLight none;
     none.root = vec3(0.0f);
+    none.known = 0.0f;
     for (int i = 0; i < AIR_COMPONENTS; ++i) none.gain[i] = vec3(0.0f);
     return none;
 }
@@ -61,6 +63,7 @@ INLINE vec3 on_parabola(vec3 near, vec3 middle, vec3 far, float share) {
 INLINE DiffuseLight diffuse_light_in(IN(Atmosphere) atmosphere, IN(DiffuseRun) run, float share) {
     DiffuseLight light = no_diffuse_light();
     light.root = max(on_parabola(run.near.root, run.middle.root, run.far.root, share), vec3(0.0f));
+    light.known = mix(mix(run.near.known, run.middle.known, min(2.0f * share, 1.0f)), run.far.known, max(2.0f * share - 1.0f, 0.0f));
     for (int i = 0; i < AIR_COMPONENTS; ++i)
         if (component_scatters(atmosphere, i))
             light.gain[i] = on_parabola(run.near.gain[i], run.middle.gain[i], run.far.gain[i], share);

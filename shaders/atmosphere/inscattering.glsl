@@ -5,7 +5,7 @@
 #include "atmosphere/multiple_scattering.glsl"
 SHADER_NAMESPACE_BEGIN
 
-// What is left of the diffuse light where meshes hide the share 1 - `seen` of the sun. What hides the sun hides the bright
+// What is left of the diffuse light, as far as it does not know what meshes hide, where meshes hide the share 1 - `seen` of the sun. What hides the sun hides the bright
 // sky around it too, and that is what a forward phase scatters on: its light goes, and of an even phase's the part that
 // came from there. Tuned against the path tracer in valleys: SHADED_SHARE for an even phase.
 CONSTANT float SHADED_SHARE = 0.4f;
@@ -17,7 +17,7 @@ INLINE float shaded_share(PhaseMoments phase, float seen) {
 INLINE DiffuseLight shaded_light(IN(Atmosphere) atmosphere, DiffuseLight light, float seen) {
     for (int i = 0; i < AIR_COMPONENTS; ++i)
         if (component_scatters(atmosphere, i))
-            light.gain[i] *= shaded_share(AIR_CONTENT(atmosphere).components[i].moments, seen);
+            light.gain[i] *= shaded_share(AIR_CONTENT(atmosphere).components[i].moments, mix(seen, 1.0f, light.known));
     return light;
 }
 

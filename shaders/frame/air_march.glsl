@@ -6,6 +6,7 @@
 #include "atmosphere/inscattering.glsl"
 #include "encoding/color.glsl"
 #include "frame/shafts.glsl"
+#include "frame/terrain_light.glsl"
 
 // Where the ray lies below an altitude: one stretch, since a sphere is convex.
 Span span_below(AirRay ray, float altitude) {
@@ -50,24 +51,38 @@ void add_air_cell(inout AirLight light, Atmosphere atmosphere, RayPhases phases,
     add_cell(light, inscattering_source(air.mean, phases, sun, diffuse), extinction, cell_length);
 }
 
+// Where meshes shade a ray that starts `entry` [m] from the camera, and where it goes. Spans and `shaft` are from the camera on.
+struct Shade {
+    ShaftRay shaft;
+    vec3 direction; // world axes
+    float entry;
+    Span shaded; // empty: nowhere
+    float dither;
+};
+
+// Diffuse light at a place of the ray: of the table as far as the map of the light on terrain knows no better.
+DiffuseLight light_node(Atmosphere atmosphere, Shade shade, AirRay ray, float t) {
+    DiffuseLight light = diffuse_node(multiple_scattering_table, atmosphere, ray, t);
+    TerrainAir terrain = terrain_air(shade.direction * (t + shade.entry), shade.direction);
+    light.root = mix(light.root, root32(terrain.mean), terrain.share);
+    for (int i = 0; i < AIR_COMPONENTS; ++i)
+        if (component_scatters(atmosphere, i)) {
+            PhaseMoments phase = AIR_CONTENT(atmosphere).components[i].moments;
+            vec3 gain = max(vec3(phase.degree[0]) + phase.degree[1] * terrain.first, vec3(0.0));
+            light.gain[i] = mix(light.gain[i], gain, terrain.share);
+        }
+    light.known = terrain.share;
+    return light;
+}
+
 // The diffuse light of the run of cells between three distances [m].
-DiffuseRun diffuse_run(Atmosphere atmosphere, AirRay ray, float near, float middle, float far) {
-    return DiffuseRun(diffuse_node(multiple_scattering_table, atmosphere, ray, near),
-                      diffuse_node(multiple_scattering_table, atmosphere, ray, middle),
-                      diffuse_node(multiple_scattering_table, atmosphere, ray, far));
+DiffuseRun diffuse_run(Atmosphere atmosphere, Shade shade, AirRay ray, float near, float middle, float far) {
+    return DiffuseRun(light_node(atmosphere, shade, ray, near), light_node(atmosphere, shade, ray, middle), light_node(atmosphere, shade, ray, far));
 }
 
 // The loops of the march turn as often for every ray of a subgroup, and test at their end; a ray that is through goes on with cells of
 // no length. Software devices run the body of a loop that tests at its start once more than it turns, all of what is inside it too;
 // and lavapipe (22.3) gives a ray that left a loop early the values of the last turn.
-
-// Where meshes shade a ray that starts `entry` [m] from the camera. Spans and `shaft` are from the camera on.
-struct Shade {
-    ShaftRay shaft;
-    float entry;
-    Span shaded; // empty: nowhere
-    float dither;
-};
 
 // Of the cells of `march_evenly`. Light changes slowly along a ray and shadows fast: each cell has several looks into the cascades.
 Seen seen_in_even(Shade shade, float begin, float end, int number) {
@@ -90,7 +105,7 @@ AirLight march_evenly(Atmosphere atmosphere, AirRay ray, RayPhases phases, Shade
     do {
         int first = i, next = min(first + RUN, n);
         float per_cell = 1.0 / float(max(next - first, 1)), from = span.begin + float(first) * size, to = span.begin + float(next) * size;
-        DiffuseRun run = diffuse_run(atmosphere, ray, from, 0.5 * (from + to), to);
+        DiffuseRun run = diffuse_run(atmosphere, shade, ray, from, 0.5 * (from + to), to);
         Medium edge = medium_at(atmosphere, altitude_at(ray, from));
         do {
             float begin = span.begin + float(min(i, next)) * size, cell_size = i < next ? size : 0.0;
@@ -123,7 +138,7 @@ AirLight march_around(Atmosphere atmosphere, AirRay ray, RayPhases phases, Shade
     do {
         int n = max(stretch.count, 1), first = i, next = min(first + RUN, stretch.count);
         float per_cell = 1.0 / float(max(next - first, 1)), from = march_distance(stretch.cells, float(first) / float(n));
-        DiffuseRun run = diffuse_run(atmosphere, ray, from, march_distance(stretch.cells, 0.5 * float(first + next) / float(n)),
+        DiffuseRun run = diffuse_run(atmosphere, shade, ray, from, march_distance(stretch.cells, 0.5 * float(first + next) / float(n)),
                                      march_distance(stretch.cells, float(next) / float(n)));
         Medium edge = medium_at(atmosphere, altitude_at(ray, from));
         do {
@@ -182,7 +197,7 @@ AirLight march_air(ivec2 pixel, AirRay from_camera, vec3 light, float distance) 
 
     RayPhases phases = phases_of(frame.atmosphere, ray.nu);
     bool shafts = (MARCH_VARIANT & MARCH_NO_SHAFTS) == 0, exact = (MARCH_VARIANT & MARCH_EXACT) != 0;
-    Shade shade = Shade(make_shaft_ray(light), entry, Span(0.0, 0.0), 0.5);
+    Shade shade = Shade(make_shaft_ray(light), light * frame.light_from_world, entry, Span(0.0, 0.0), 0.5);
     if ((frame.flags & FRAME_MARCH_DITHER) != 0) shade.dither = gradient_noise(vec2(pixel) + 5.588238 * float(frame.sample_index));
     Span even = Span(0.0, 0.0);
     if (shafts) {

@@ -9,7 +9,7 @@ const float TERRAIN_BAND_EDGES[TERRAIN_BANDS + 1] =
     float[](-1.0, -0.6, -0.3, -0.12, 0.0, 0.06, 0.14, 0.25, 0.4, 0.58, 0.78, 1.0);
 
 // (x, y) of a texel's middle [m].
-vec2 terrain_place(ivec2 texel) {
+vec2 terrain_middle(ivec2 texel) {
     vec2 across = vec2(texel.x, frame.terrain.size - 1 - texel.y) + 0.5;
     return frame.terrain.lowest + across * frame.terrain.texel;
 }

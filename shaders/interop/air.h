@@ -12,6 +12,7 @@
 
 #define AIR_SHADOW_BOUNDS_SLOT 7         // in: interop/shadow_bounds.h
 #define AIR_CEILING_SLOT 8               // in: interop/shadow_ceiling.h
+#define AIR_TERRAIN_SLOT 10              // in: interop/terrain_light.h, linear filter, clamped to the edge
 
 // air_fill, in: with half as many texels each way
 #define AIR_COARSE_INSCATTERED_SLOT 5

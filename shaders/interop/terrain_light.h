@@ -6,7 +6,7 @@
 // Pass `terrain_glow`: rgba32f, radiance of the terrain under sun and open sky; alpha: its height z [m].
 // `terrain_facing`: rgba16f, its normal in the map's axes.
 // Pass `terrain_light`: rgba16f in tiles one above the other, irradiance as nine spherical harmonics of three channels
-// in the map's axes; alpha of the last: the height as depth has it.
+// in the map's axes; in the last tile the height as depth has it, and the mean rise of the horizon above it [m].
 // Radiance and irradiance are per unit of the sun's above the air.
 #ifndef ALPENGLOW_INTEROP_TERRAIN_LIGHT_H
 #define ALPENGLOW_INTEROP_TERRAIN_LIGHT_H
@@ -15,7 +15,7 @@
 #define TERRAIN_AZIMUTHS 8
 #define TERRAIN_BANDS 11
 #define TERRAIN_ALTITUDES 8
-#define TERRAIN_LIGHT_TILES 7
+#define TERRAIN_LIGHT_TILES 8
 
 #define TERRAIN_SKY_TRANSMITTANCE_SLOT 1 // in, tables: linear filter, clamped to the edge
 #define TERRAIN_SKY_ORDERS_SLOT 2        // in, light of all orders

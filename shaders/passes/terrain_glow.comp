@@ -35,7 +35,7 @@ GroundSeen ground_from_above(ivec2 at, vec2 place) {
 void main() {
     ivec2 at = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(at, ivec2(frame.terrain.size)))) return;
-    vec2 place = terrain_place(at);
+    vec2 place = terrain_middle(at);
     GroundSeen ground = ground_from_above(at, place);
     vec3 up = frame.terrain.z;
     float altitude = max(frame.terrain.altitude + ground.z + sphere_fall(place), 0.0), mu_s = dot(up, frame.to_sun);

@@ -32,11 +32,17 @@ void add_light(inout Sector sector, vec3 radiance, float low, float high) {
     sector.ss += light * (s * s);
 }
 
-// Adds what is seen of the terrain; the result is the sine of the horizon's elevation. Faces too steep for the map show tops that
+struct Horizon {
+    float sine; // of its elevation
+    float rise; // of what makes it, above the texel [m]
+};
+
+// Adds what is seen of the terrain. Faces too steep for the map show tops that
 // turn away: these shine as what was seen last.
-float add_terrain(inout Sector sector, ivec2 at, vec2 towards) {
+Horizon add_terrain(inout Sector sector, ivec2 at, vec2 towards) {
     vec4 last = texelFetch(glow_image, at, 0);
-    float z = last.a, horizon = -1.0, steps = 1.0; // [texels]
+    Horizon horizon = Horizon(-1.0, 0.0);
+    float z = last.a, steps = 1.0; // [texels]
     int i = 0;
     do {
         ivec2 apart = ivec2(round(vec2(towards.x, -towards.y) * steps)), there = at + apart;
@@ -44,10 +50,10 @@ float add_terrain(inout Sector sector, ivec2 at, vec2 towards) {
         vec4 glow = texelFetch(glow_image, there, 0);
         vec3 way = vec3(float(apart.x) * frame.terrain.texel, float(-apart.y) * frame.terrain.texel, glow.a - z);
         float sine = way.z * inversesqrt(dot(way, way));
-        float high = inside ? max(sine, horizon) : horizon;
+        bool seen = inside && sine > horizon.sine;
         if (inside && dot(texelFetch(facing_image, there, 0).xyz, way) < 0.0) last = glow;
-        add_light(sector, last.rgb, horizon, high);
-        horizon = high;
+        add_light(sector, last.rgb, horizon.sine, seen ? sine : horizon.sine);
+        if (seen) horizon = Horizon(sine, way.z);
         steps = steps * GROWTH + FURTHER;
     } while (++i < STEPS);
     return horizon;
@@ -72,12 +78,14 @@ void main() {
     if (any(greaterThanEqual(at, ivec2(frame.terrain.size)))) return;
     float z = texelFetch(glow_image, at, 0).a, depth = clamp((z - frame.terrain.bottom) / frame.terrain.range, 0.0, 1.0);
     vec3 light[9] = vec3[](vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
+    float rim = 0.0;
     int azimuth = 0;
     do {
         vec2 d = terrain_azimuth(float(azimuth));
         Sector sector = empty_sector();
-        float horizon = add_terrain(sector, at, d);
-        add_sky(sector, horizon, azimuth, depth);
+        Horizon horizon = add_terrain(sector, at, d);
+        add_sky(sector, horizon.sine, azimuth, depth);
+        rim += max(horizon.rise, 0.0) / float(TERRAIN_AZIMUTHS);
         light[0] += DEGREE_0 * sector.one;
         light[1] += DEGREE_1 * d.x * sector.c;
         light[2] += DEGREE_1 * d.y * sector.c;
@@ -96,5 +104,6 @@ void main() {
     imageStore(result, at + 3 * tile, vec4(light[4], light[5].r));
     imageStore(result, at + 4 * tile, vec4(light[5].gb, light[6].rg));
     imageStore(result, at + 5 * tile, vec4(light[6].b, light[7]));
-    imageStore(result, at + 6 * tile, vec4(light[8], depth));
+    imageStore(result, at + 6 * tile, vec4(light[8], 0.0));
+    imageStore(result, at + 7 * tile, vec4(depth, rim, 0.0, 0.0));
 }
