@@ -115,6 +115,27 @@ protected:
 
 } // namespace
 
+// The disc stands on a pixel between those that are marched; behind thick air it is what lets errors of transmittance be seen first.
+TEST_F(AirRepair, leaves_the_suns_disc_as_bright_as_it_is) {
+    constexpr std::uint32_t X = 49, Y = 27;
+    settings_.sun_disc = true;
+    for (char const* const planet : {"earth", "misty"}) {
+        stand_ = stand_on(load_planet(planet));
+        for (double const elevation : {5.0, 15.0}) {
+            Camera const camera = stand_.camera({0, 20, 0}, glm::dvec3(0, 20, 0) + sun_at(elevation, 0), glm::radians(FIELD));
+            World const world{stand_.planet, camera, pixel_direction(camera, EXTENT, X, Y)};
+            FloatImage const exact = draw(world, "fast", 1);
+            double const disc = pixel(exact, X, Y).g;
+            EXPECT_GT(disc, 10 * pixel(exact, X - 1, Y).g); // it is there
+            for (int const stride : {2, 4}) {
+                FloatImage const drawn = draw(world, "fast", stride);
+                EXPECT_NEAR(pixel(drawn, X, Y).g / disc, 1, 0.01) << planet << ", sun at " << elevation << ", stride " << stride;
+                EXPECT_GE(*std::ranges::min_element(drawn.rgba), 0);
+            }
+        }
+    }
+}
+
 // The pass's own tolerances bound interpolation's error by what the pixels around lead to expect. That can be off by a small factor,
 // and twice with two steps, in one pixel of a thousand, and by twice that in the worst, where a shaft's edge lies between pixels that don't know of it.
 TEST_F(AirRepair, is_as_close_to_air_marched_everywhere_as_its_tolerance_says) {
@@ -149,26 +170,5 @@ TEST_F(AirRepair, is_worse_with_a_larger_tolerance_and_useless_if_left_out) {
         EXPECT_GT(share_below(coarse, 0.95), 3 * share_below(fine, 0.95)) << given.name; // five times the tolerance
         // Skylines are more than a thousandth of the picture, and whole rays are at stake there.
         for (std::uint32_t const stride : {2u, 4u}) EXPECT_GT(permille_above(errors(unrepaired(exact, stride), exact)), 1) << given.name;
-    }
-}
-
-// The disc stands on a pixel between those that are marched; behind thick air it is what lets errors of transmittance be seen first.
-TEST_F(AirRepair, leaves_the_suns_disc_as_bright_as_it_is) {
-    constexpr std::uint32_t X = 49, Y = 27;
-    settings_.sun_disc = true;
-    for (char const* const planet : {"misty", "earth"}) {
-        stand_ = stand_on(load_planet(planet));
-        for (double const elevation : {5.0, 15.0}) {
-            Camera const camera = stand_.camera({0, 20, 0}, glm::dvec3(0, 20, 0) + sun_at(elevation, 0), glm::radians(FIELD));
-            World const world{stand_.planet, camera, pixel_direction(camera, EXTENT, X, Y)};
-            FloatImage const exact = draw(world, "fast", 1);
-            double const disc = pixel(exact, X, Y).g;
-            EXPECT_GT(disc, 10 * pixel(exact, X - 1, Y).g); // it is there
-            for (int const stride : {2, 4}) {
-                FloatImage const drawn = draw(world, "fast", stride);
-                EXPECT_NEAR(pixel(drawn, X, Y).g / disc, 1, 0.01) << planet << ", sun at " << elevation << ", stride " << stride;
-                EXPECT_GE(*std::ranges::min_element(drawn.rgba), 0);
-            }
-        }
     }
 }

@@ -19,9 +19,6 @@ protected:
         settings_.cascade_size = 1024;
         settings_.shafts = "off";
     }
-    std::vector<double> visibility(Camera const& camera, glm::dvec3 const& to_sun, Settings const& settings) {
-        return RenderTest::visibility(stand_.view(camera, to_sun), settings, EXTENT);
-    }
     glm::dvec3 in_scene(glm::dvec3 const& world) const { return glm::dvec3(glm::inverse(stand_.world_from_scene()) * glm::dvec4(world, 1)); }
 
     Stand stand_ = stand_on(airless_planet());
@@ -40,7 +37,7 @@ TEST_F(CeilingShadows, of_a_ridge_fall_on_the_ground_sixty_kilometres_behind_it)
     constexpr double ELEVATION = 3.1; // [degrees]
     glm::dvec3 const to_sun = sun_at(ELEVATION, 0), crest(0, 3000, 0);
     Camera const camera = stand_.camera({0, 30000, 60000}, {0, 0, 60000}, glm::radians(60.0), {0, 0, -1});
-    std::vector<double> const seen = visibility(camera, to_sun, settings_);
+    std::vector<double> const seen = visibility(stand_.view(camera, to_sun), settings_, EXTENT);
     double const radius = stand_.planet.radius, rim = stand_.planet.sun_angular_radius;
     int dark = 0, lit = 0, wrong = 0;
     for (std::uint32_t i = 0; i < EXTENT.pixels(); ++i) {
@@ -58,7 +55,7 @@ TEST_F(CeilingShadows, of_a_ridge_fall_on_the_ground_sixty_kilometres_behind_it)
     EXPECT_EQ(wrong, 0);
 
     settings_.ceiling_size = 0;
-    std::vector<double> const without = visibility(camera, to_sun, settings_);
+    std::vector<double> const without = visibility(stand_.view(camera, to_sun), settings_, EXTENT);
     // Without it half of that is lit: what doesn't lie behind the cascades, which know no end along a sun ray.
     EXPECT_LT(std::ranges::count_if(without, [](double v) { return v < 0.5; }), 0.5 * dark);
 }
@@ -108,12 +105,20 @@ TEST_F(CeilingShadows, take_over_from_the_last_cascade_without_a_step) {
     settings_.shadow_reach = REACH;
     settings_.cascades = 1;
     settings_.cascade_size = 4096;
+    std::vector<World> flight;
+    std::vector<FloatImage> lit;
+    Settings without = settings_;
+    without.shadows = false;
+    for (double away = 0.82 * REACH; away < 1.25 * REACH; away += 0.06 * REACH) {
+        Camera const camera = stand_.camera({away, 600, EDGE}, {0, 0, EDGE}, std::atan(2.6 * AROUND / away));
+        flight.push_back(stand_.view(camera, sun_at(SUN_ELEVATION, 0)));
+        lit.push_back(radiance(flight.back(), without, EXTENT));
+    }
     auto const edges = [&](Settings const& settings) {
         std::vector<double> result;
-        for (double away = 0.82 * REACH; away < 1.25 * REACH; away += 0.06 * REACH) {
-            Camera const camera = stand_.camera({away, 600, EDGE}, {0, 0, EDGE}, std::atan(2.6 * AROUND / away));
-            std::vector<double> const seen = visibility(camera, sun_at(SUN_ELEVATION, 0), settings);
-            result.push_back(edge_seen(seen, [&](std::uint32_t i) {
+        for (std::size_t frame = 0; frame < flight.size(); ++frame) {
+            Camera const& camera = flight[frame].camera;
+            result.push_back(edge_seen(visibility(flight[frame], settings, lit[frame]), [&](std::uint32_t i) {
                 glm::dvec3 const eye = in_scene(camera.position);
                 glm::dvec3 const along = glm::transpose(glm::dmat3(stand_.world_from_scene())) *
                                          pixel_direction(camera, EXTENT, i % EXTENT.width, i / EXTENT.width);

@@ -16,7 +16,7 @@ std::optional<SettingValue> another_value(Settings const& settings, SettingInfo 
     std::vector<std::string> choices = choices_of(info);
     std::erase(choices, setting_text(settings, info));
     if (bool const* const on = std::get_if<bool>(&now)) return !*on;
-    if (!choices.empty() && std::holds_alternative<std::string>(now)) return choices.front();
+    if (!choices.empty() && std::holds_alternative<std::string>(now)) return choices.back();
     if (!choices.empty()) return std::stoi(choices.front());
     if (info.name == "show") return "lit";
     if (info.name == "air_without") return "ozone";
@@ -30,6 +30,8 @@ std::optional<SettingValue> another_value(Settings const& settings, SettingInfo 
 /// A renderer that has drawn something else before draws as one that has not.
 class Changes : public RenderTest {
 protected:
+    static void SetUpTestSuite() { other_ = std::make_unique<Renderer>(device()); }
+    static void TearDownTestSuite() { other_.reset(); }
     void SetUp() override {
         RenderTest::SetUp();
         add_plane(scene_, 40, 1);
@@ -47,23 +49,22 @@ protected:
         while (!by.tables_finished());
         return by.picture();
     }
-    /// Two renderers with different pasts: `running_` has drawn `base`, the other one with all of `changes` made. A setting
-    /// that either of them does not obey at once makes a difference.
+    /// Two renderers with different pasts: one has drawn `base`, the other one with all of `changes` made. A setting that
+    /// either of them does not obey at once makes a difference.
     void expect_obeyed(Settings const& base, std::vector<SettingInfo const*> const& changes) {
         Settings all = base;
         for (SettingInfo const* const info : changes) set_setting(all, *info, *another_value(base, *info));
-        Renderer other(device());
         for (SettingInfo const* const info : changes) {
             Settings settings = base;
             set_setting(settings, *info, *another_value(base, *info));
-            drawn(running_, earth_, base);
-            drawn(other, earth_, all);
-            ByteImage const changed = drawn(running_, earth_, settings);
-            expect_same(changed, drawn(other, earth_, settings), info->name);
+            drawn(renderer(), earth_, base);
+            drawn(*other_, earth_, all);
+            ByteImage const changed = drawn(renderer(), earth_, settings);
+            expect_same(changed, drawn(*other_, earth_, settings), info->name);
         }
     }
     void expect_fresh(Planet const& planet, Settings const& settings, std::string_view what) {
-        ByteImage const changed = drawn(running_, planet, settings);
+        ByteImage const changed = drawn(renderer(), planet, settings);
         Renderer fresh(device());
         placed_on_.erase(&fresh);
         expect_same(changed, drawn(fresh, planet, settings), what);
@@ -77,8 +78,9 @@ protected:
 
     Planet const earth_ = load_planet("earth");
     Scene scene_ = scene_of({matte({0.3f, 0.25f, 0.2f})});
-    Renderer running_{device()};
     std::map<Renderer const*, double> placed_on_; ///< radius of the planet on which its scene stands [m]
+
+    static inline std::unique_ptr<Renderer> other_;
 };
 
 } // namespace
@@ -114,7 +116,7 @@ TEST_F(Changes, of_the_air_and_the_planet_give_the_picture_of_a_fresh_start) {
     Settings settings;
     settings.model = "tables";
     settings.cascade_size = settings.ceiling_size = 256;
-    drawn(running_, earth_, settings);
+    drawn(renderer(), earth_, settings);
     Planet changed = earth_;
     changed.air.at("aerosol").profile = shell_profile(1000, 3000);
     changed.air.components.pop_back();

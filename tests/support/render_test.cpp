@@ -70,12 +70,16 @@ FloatImage RenderTest::radiance(World const& world, Settings const& settings, Ex
     return renderer().radiance();
 }
 
-std::vector<double> RenderTest::visibility(World const& world, Settings settings, Extent extent) {
-    FloatImage const shaded = radiance(world, settings, extent);
-    settings.shadows = false;
-    FloatImage const lit = radiance(world, settings, extent);
+std::vector<double> RenderTest::visibility(World const& world, Settings const& settings, Extent extent) {
+    Settings without = settings;
+    without.shadows = false;
+    return visibility(world, settings, radiance(world, without, extent));
+}
+
+std::vector<double> RenderTest::visibility(World const& world, Settings const& settings, FloatImage const& lit) {
+    FloatImage const shaded = radiance(world, settings, lit.extent);
     std::vector<double> result;
-    for (std::size_t i = 0; i < extent.pixels(); ++i) result.push_back(shaded.rgba[4 * i] / lit.rgba[4 * i]);
+    for (std::size_t i = 0; i < lit.extent.pixels(); ++i) result.push_back(shaded.rgba[4 * i] / lit.rgba[4 * i]);
     return result;
 }
 

@@ -44,7 +44,9 @@ protected:
 
     FloatImage radiance(World const& world, Settings const& settings, Extent extent);
     /// How much of the sun each pixel's surface sees, 0 to 1, by a picture without shadows.
-    std::vector<double> visibility(World const& world, Settings settings, Extent extent);
+    std::vector<double> visibility(World const& world, Settings const& settings, Extent extent);
+    /// The same, where that picture is there.
+    std::vector<double> visibility(World const& world, Settings const& settings, FloatImage const& lit);
     ByteImage picture(World const& world, Settings const& settings, Extent extent);
 };
 
