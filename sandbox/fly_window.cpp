@@ -56,11 +56,13 @@ private:
     bool fit_window(WindowEvents const& events);
     Extent choose_size();
     void draw(Extent size);
+    void draw_view(Extent size, Renderer::Finish const& finishing, PresentSync const& sync);
     void finish(FrameGraph& graph, ImageId picture, GpuImage& target);
     void note_times();
     void note_exposure();
     bool stands_still();
     void save();
+    void say(std::string message);
     std::string message() const;
     KeyTarget target() { return {pilot_, screen_}; }
 
@@ -178,7 +180,7 @@ void WindowFlight::draw(Extent size) {
         stage_.renderer().finish_again(finishing, sync);
     } else {
         if (!drawn_.empty()) stage_.renderer().pass_time(std::exchange(undrawn_, 0));
-        stage_.draw(pilot_.view(), world_, size, finishing, sync);
+        draw_view(size, finishing, sync);
         drawn_ = view_text(pilot_.view());
         report_.drawn = size;
     }
@@ -186,6 +188,18 @@ void WindowFlight::draw(Extent size) {
     // A frame ahead gains nothing where the device is this processor, and the user feels it as a lag.
     if (stage_.device().is_software()) stage_.renderer().wait();
     note_times();
+}
+
+/// Of settings that have taken away the image that is shown, the result is drawn.
+void WindowFlight::draw_view(Extent size, Renderer::Finish const& finishing, PresentSync const& sync) {
+    std::string& shown = pilot_.settings().show;
+    try {
+        stage_.draw(pilot_.view(), world_, size, finishing, sync);
+    } catch (Error const& error) {
+        if (error.kind() == ErrorKind::device || shown.empty() || drawn_.empty()) throw;
+        say("no image '" + std::exchange(shown, {}) + "' here");
+        stage_.draw(pilot_.view(), world_, size, finishing, sync);
+    }
 }
 
 void WindowFlight::finish(FrameGraph& graph, ImageId picture, GpuImage& target) {
@@ -227,14 +241,18 @@ void WindowFlight::save() {
     do stage_.draw(finished, world_, swapchain_.extent());
     while (!stage_.renderer().settings_shown());
     try {
-        message_ = "saved " + save_view(SAVED_VIEWS, pilot_.view(), stage_.renderer().picture()).string();
+        say("saved " + save_view(SAVED_VIEWS, pilot_.view(), stage_.renderer().picture()).string());
         log_info(message_);
     } catch (Error const& error) {
-        message_ = error.what();
+        say(error.what());
         log_warning(message_);
     }
-    message_end_ = seconds() + MESSAGE_TIME;
     report_.drawn = {}; // the renderer's picture is another one now
+}
+
+void WindowFlight::say(std::string message) {
+    message_ = std::move(message);
+    message_end_ = seconds() + MESSAGE_TIME;
 }
 
 std::string WindowFlight::message() const {

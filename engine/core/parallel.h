@@ -8,4 +8,7 @@ namespace alpenglow {
 /// each other, so that the result is the same for any number of threads. Rethrows the first exception.
 void parallel_for(int count, int threads, std::function<void(int)> const& work);
 
+/// From now on the calling thread, and threads that it starts, go behind others that want a core. They can't go back.
+void let_others_pass();
+
 } // namespace alpenglow

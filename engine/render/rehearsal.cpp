@@ -1,18 +1,15 @@
 #include "render/rehearsal.h"
 
 #include "core/log.h"
+#include "core/parallel.h"
 #include "render/executor.h"
 
 #include <bit>
 #include <fmt/format.h>
-#include <sys/resource.h>
-#include <unistd.h>
 
 namespace alpenglow {
 
 namespace {
-
-constexpr int NICENESS = 10; // a tenth of a core that frames want too
 
 /// A few texels that are a power of two where the side is.
 std::uint32_t stand_in_side(std::uint32_t side) { return std::has_single_bit(side) ? 8 : 12; }
@@ -20,12 +17,6 @@ std::uint32_t stand_in_side(std::uint32_t side) { return std::has_single_bit(sid
 ImageShape stand_in(ImageShape shape) {
     shape.extent = {stand_in_side(shape.extent.width), stand_in_side(shape.extent.height)};
     return shape;
-}
-
-/// A thread's priority is that of the threads it starts, those of a device among them.
-void let_frames_pass() {
-    id_t const thread = static_cast<id_t>(gettid());
-    setpriority(PRIO_PROCESS, thread, getpriority(PRIO_PROCESS, thread) + NICENESS);
 }
 
 } // namespace
@@ -98,7 +89,7 @@ void Rehearsal::rehearse(Part const& part, Executor& executor, Device const& dev
 }
 
 void Rehearsal::work(std::stop_token const& stop, int device_index) {
-    let_frames_pass();
+    let_others_pass(); // and with this thread those of its device
     try {
         Device const device(DeviceOptions{.index = device_index});
         Executor executor(device);

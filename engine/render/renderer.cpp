@@ -134,14 +134,15 @@ GroundAround Renderer::ground_at(glm::dvec3 const& place, Planet const& planet) 
     return scene_ ? ground_around(planet, place, scene_->ground()) : planet_ground(planet);
 }
 
-/// Those that a switch waits for; the picture's own, which it reads; then those that the next switch may need.
+/// Those that a switch waits for; else the picture's own; behind those, the ones that the next switch may need.
 AirTableStore::Kept& Renderer::tables_to_make(AirTableStore::Kept& read, shader::Atmosphere const& air) {
     if (awaited_) return *awaited_;
-    bool const leads = prepared_ && switches_prepared() && switches_rehearsed();
+    bool const leads = settings_shown_ && prepared_ && switches_prepared() && switches_rehearsed();
     AirTableStore::Kept* const next = leads && read.finished_for(air) ? air_tables_.unfinished(air) : nullptr;
     return next ? *next : read;
 }
 
+/// Whether all pipelines of such a frame are there. If not, they are being made.
 bool Renderer::prepare(World const& world, Settings const& settings, Extent extent) {
     Fits const fits = fit(world, settings);
     Composed const frame(*this, world, settings, extent, fits, 0);

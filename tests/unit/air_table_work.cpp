@@ -57,3 +57,26 @@ TEST(AirTableWork, begins_anew_with_every_change_of_the_air_and_only_then) {
         }
     }
 }
+
+TEST(AirTableWork, tables_may_be_read_when_they_have_been_finished_for_the_planet) {
+    AirModel const& model = air_model("tables");
+    Planet const earth = make_earth();
+    Planet hazy = earth;
+    hazy.air.at("aerosol").scattering *= 2.0;
+    AirTableStore::Kept kept{model};
+    kept.tables.resize(model.tables.size());
+    auto const work = [&](Planet const& planet, std::string const& name, bool spread) {
+        shader::Atmosphere const air = atmosphere_of(planet);
+        finish_work(kept, air, name, table_work(kept, air, spread, {}));
+        return kept.finished_for(air);
+    };
+    EXPECT_FALSE(work(earth, "earth", true));
+    EXPECT_EQ(kept.planet, "") << "one group is made";
+    EXPECT_TRUE(work(earth, "earth", false));
+    EXPECT_EQ(kept.planet, "earth");
+    EXPECT_FALSE(work(hazy, "earth", true));
+    EXPECT_EQ(kept.planet, "earth") << "they are whole, for the air before";
+    EXPECT_FALSE(kept.finished_for(atmosphere_of(earth)));
+    EXPECT_FALSE(work(earth, "hazy", true));
+    EXPECT_EQ(kept.planet, "") << "of two planets";
+}

@@ -122,6 +122,10 @@ TEST_F(FlyWindow, keys_change_the_picture) {
     ByteImage const before_turn = still_screen();
     xdotool({"mousemove", "160", "90", "mousedown", "1", "sleep", "0.4", "mousemove_relative", "60", "20", "sleep", "0.4", "mouseup", "1"});
     EXPECT_GT(change(still_screen(), before_turn), 0.1); // the mouse turns the camera
+    xdotool({"key", "i", "i", "i"});
+    ByteImage const table = still_screen(); // of the model
+    xdotool({"key", "m"});                  // to one without it
+    EXPECT_TRUE(wait_until([&] { return change(screen(), table) > 0.2; }, PATIENCE)) << log();
     leave();
 }
 
