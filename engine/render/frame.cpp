@@ -28,14 +28,14 @@ void build_frame(FrameGraph& graph, FrameInputs const& in) {
     AirTables const tables = add_air_tables(graph, in, frame);
     SunShadow const shadow{add_sun_shadow(graph, in, frame), add_shadow_ceiling(graph, in)};
     ImageId const shadow_bounds = add_shadow_bounds(graph, shadow.cascades);
-    ImageId const terrain_light = add_terrain_light(graph, in, frame, tables.over_terrain, shadow.ceiling);
+    TerrainLight const terrain_light = add_terrain_light(graph, in, frame, tables.over_terrain, shadow.ceiling);
     ImageId toned;
     for (int sample = 0; sample < in.settings.aa; ++sample) {
         if (sample > 0) frame = graph.add_constants(in.constants[static_cast<std::size_t>(sample)]);
         GBuffer const gbuffer = add_gbuffer(graph, in, frame, sample);
-        ImageId const open = add_ambient_occlusion(graph, in, frame, gbuffer, terrain_light, sample);
-        AirLayer const air = add_air(graph, in, frame, {gbuffer.depth, shadow, shadow_bounds, terrain_light}, tables, sample);
-        ImageId const lit = add_lighting(graph, in, frame, {gbuffer, open, air, terrain_light}, shadow, tables, sample);
+        ImageId const open = add_ambient_occlusion(graph, in, frame, gbuffer, terrain_light.surfaces, sample);
+        AirLayer const air = add_air(graph, in, frame, {gbuffer.depth, shadow, shadow_bounds, terrain_light.air}, tables, sample);
+        ImageId const lit = add_lighting(graph, in, frame, {gbuffer, open, air, terrain_light.surfaces}, shadow, tables, sample);
         if (sample == 0) add_exposure(graph, lit, exposure, in.settings, in.seconds);
         toned = add_accumulate(graph, lit, mean, exposure, in.settings, sample);
     }

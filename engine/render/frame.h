@@ -41,6 +41,11 @@ struct ModelTables {
     std::span<StepSlice const> slices;       ///< of the model's steps, that make them in this frame
 };
 
+/// Light from all round, as the map of the scene has it: interop/terrain_light.h.
+struct TerrainLight {
+    ImageId surfaces, air;
+};
+
 struct SunShadow {
     ImageId cascades;
     ImageId ceiling; ///< beyond them

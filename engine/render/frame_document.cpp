@@ -11,7 +11,7 @@ constexpr char const* HEAD = R"(# The frame
 The default frame over a scene, in the order in which it runs; `engine/render/frame.cpp` is its text. This page is printed by the
 program from the frame graph, and a test keeps it so. The air's tables are made in the first frame and whenever the air changes, at once or
 spread over frames; `NAME_before` is what a table was one step ago. `terrain_height` and `shadow_ceiling` run when the sun or the scene changes, `terrain_above` when the scene does, and `terrain_sky`,
-`terrain_glow` and `terrain_light` with any of them. Other settings add, repeat or leave out passes. A pass that runs several times in a row writes a
+`terrain_glow`, `terrain_light` and `terrain_air` with any of them. Other settings add, repeat or leave out passes. A pass that runs several times in a row writes a
 layer of its image each time, or goes to and fro between two images.
 
 ## Passes

@@ -32,13 +32,18 @@ void TerrainStore::replace(TerrainFit const& fit) {
     depth_ = make(VK_FORMAT_D32_SFLOAT, size, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT, "terrain_depth");
     light_ = make(VK_FORMAT_R16G16B16A16_SFLOAT, {size.width, TERRAIN_LIGHT_TILES * size.height},
                   VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT, "terrain_light");
+    std::uint32_t const coarse = (size.width + TERRAIN_AIR_TEXELS - 1) / TERRAIN_AIR_TEXELS;
+    air_ = make(VK_FORMAT_R16G16B16A16_SFLOAT, {coarse, TERRAIN_AIR_TILES * coarse},
+                VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT, "terrain_air");
+    if (fit.size > 0) return;
     constexpr std::array<std::uint64_t, TERRAIN_LIGHT_TILES> BLACK{};
-    if (fit.size == 0) upload(device_, *light_, std::as_bytes(std::span(BLACK)));
+    upload(device_, *light_, std::as_bytes(std::span(BLACK)));
+    upload(device_, *air_, std::as_bytes(std::span(BLACK).first<TERRAIN_AIR_TILES>()));
 }
 
 TerrainMaps TerrainStore::of(TerrainLightCause const& cause, bool tables_change) const {
     bool const has_map = cause.fit.size > 0;
-    return {cause,  *albedo_, *normal_, *depth_, *light_, has_map && drawn_ != cause.fit,
+    return {cause,  *albedo_, *normal_, *depth_, *light_, *air_, has_map && drawn_ != cause.fit,
             has_map && (tables_change || made_ != cause)};
 }
 

@@ -22,7 +22,7 @@ struct TerrainLightCause {
 struct TerrainMaps {
     TerrainLightCause const& cause;
     GpuImage &albedo, &normal, &depth; ///< the scene from above
-    GpuImage& light;                   ///< one black texel where there is no map
+    GpuImage &light, &air;             ///< one black texel where there is no map
     bool scene_is_new;                 ///< this frame has to draw the scene from above
     bool light_is_new;                 ///< and to make the light
 
@@ -48,7 +48,7 @@ public:
 
 private:
     Device const& device_;
-    std::unique_ptr<GpuImage> albedo_, normal_, depth_, light_;
+    std::unique_ptr<GpuImage> albedo_, normal_, depth_, light_, air_;
     std::optional<TerrainFit> drawn_;
     std::optional<TerrainLightCause> made_;
 };

@@ -6,7 +6,7 @@
 #include "atmosphere/inscattering.glsl"
 #include "encoding/color.glsl"
 #include "frame/shafts.glsl"
-#include "frame/terrain_light.glsl"
+#include "frame/terrain_air.glsl"
 
 // Where the ray lies below an altitude: one stretch, since a sphere is convex.
 Span span_below(AirRay ray, float altitude) {

@@ -14,9 +14,27 @@ vec2 terrain_middle(ivec2 texel) {
     return frame.terrain.lowest + across * frame.terrain.texel;
 }
 
+// A vector from world axes to the map's.
+vec3 terrain_axes(vec3 v) { return vec3(dot(v, frame.terrain.x), dot(v, frame.terrain.y), dot(v, frame.terrain.z)); }
+
+// Without a map outside of it.
 vec2 terrain_uv(vec2 place) {
-    vec2 at = (place - frame.terrain.lowest) / (frame.terrain.texel * float(frame.terrain.size));
-    return vec2(at.x, 1.0 - at.y);
+    vec2 at = (place - frame.terrain.lowest) / max(frame.terrain.texel * float(frame.terrain.size), TINY);
+    return frame.terrain.size > 0 ? vec2(at.x, 1.0 - at.y) : vec2(0.0);
+}
+
+const float TERRAIN_FADE = 0.05; // share of the map's side over which it gives way at its border
+
+// 0 at the border and beyond, to 1.
+float terrain_inside(vec2 uv) {
+    vec2 inside = clamp(min(uv, 1.0 - uv) / TERRAIN_FADE, 0.0, 1.0);
+    return inside.x * inside.y;
+}
+
+// One of the tiles that stand one above the other in an image of the map.
+vec4 terrain_tile(sampler2D image, vec2 uv, int tile, int tiles) {
+    float border = 0.5 / float(textureSize(image, 0).x);
+    return textureLod(image, vec2(uv.x, (clamp(uv.y, border, 1.0 - border) + float(tile)) / float(tiles)), 0.0);
 }
 
 float terrain_height(float depth) { return frame.terrain.bottom + depth * frame.terrain.range; }

@@ -7,6 +7,7 @@
 // `terrain_facing`: rgba16f, its normal in the map's axes.
 // Pass `terrain_light`: rgba16f in tiles one above the other, irradiance as nine spherical harmonics of three channels
 // in the map's axes; in the last tile the height as depth has it, and the mean rise of the horizon above it [m].
+// Pass `terrain_air`: the first three and the last of these tiles, coarser.
 // Radiance and irradiance are per unit of the sun's above the air.
 #ifndef ALPENGLOW_INTEROP_TERRAIN_LIGHT_H
 #define ALPENGLOW_INTEROP_TERRAIN_LIGHT_H
@@ -16,6 +17,8 @@
 #define TERRAIN_BANDS 11
 #define TERRAIN_ALTITUDES 8
 #define TERRAIN_LIGHT_TILES 8
+#define TERRAIN_AIR_TILES 4
+#define TERRAIN_AIR_TEXELS 8 // of the light, to each side of a texel of the air's
 
 #define TERRAIN_SKY_TRANSMITTANCE_SLOT 1 // in, tables: linear filter, clamped to the edge
 #define TERRAIN_SKY_ORDERS_SLOT 2        // in, light of all orders
@@ -34,6 +37,9 @@
 #define TERRAIN_LIGHT_GLOW_SLOT 2   // in
 #define TERRAIN_LIGHT_FACING_SLOT 3 // in
 #define TERRAIN_LIGHT_RESULT_SLOT 4 // out
+
+#define TERRAIN_AIR_LIGHT_SLOT 1  // in, linear filter, clamped to the edge
+#define TERRAIN_AIR_RESULT_SLOT 2 // out
 
 SHADER_NAMESPACE_BEGIN
 

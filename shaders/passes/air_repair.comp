@@ -12,7 +12,7 @@ layout(set = 0, binding = AIR_DEPTH_SLOT) uniform sampler2D depth_image;
 layout(set = 0, binding = AIR_SHADOW_SLOT) uniform sampler2DArray shadow_cascades;
 layout(set = 0, binding = AIR_SHADOW_BOUNDS_SLOT) uniform sampler2D shadow_bounds;
 layout(set = 0, binding = AIR_CEILING_SLOT) uniform sampler2D ceiling_map;
-layout(set = 0, binding = AIR_TERRAIN_SLOT) uniform sampler2D terrain_light_image;
+layout(set = 0, binding = AIR_TERRAIN_SLOT) uniform sampler2D terrain_air_image;
 layout(set = 0, binding = AIR_INSCATTERED_SLOT, rgba32f) uniform writeonly image2D inscattered_image;
 layout(set = 0, binding = AIR_TRANSMITTANCE_SLOT, rgba32f) uniform writeonly image2D transmittance_image;
 layout(push_constant, scalar) uniform Push { AirPush push; };

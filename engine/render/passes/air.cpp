@@ -40,7 +40,7 @@ public:
         slots_.push_back(sampled(AIR_DEPTH_SLOT, obstacles.depth, NEAREST_CLAMP));
         std::vector<Slot> const shades{sampled_array(AIR_SHADOW_SLOT, obstacles.shadow.cascades, NEAREST_CLAMP),
                                        sampled(AIR_CEILING_SLOT, obstacles.shadow.ceiling),
-                                       sampled(AIR_TERRAIN_SLOT, obstacles.terrain_light),
+                                       sampled(AIR_TERRAIN_SLOT, obstacles.terrain_air),
                                        sampled(AIR_SHADOW_BOUNDS_SLOT, obstacles.shadow_bounds, NEAREST_CLAMP)};
         AirLayer layer = add_layer(stride);
         add_pass("air", in_.air.model.air, layer, shades, ImageUse::storage_write, stride, extent(stride));

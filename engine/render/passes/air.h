@@ -9,7 +9,7 @@ struct AirObstacles {
     ImageId depth; ///< of the G-buffer
     SunShadow const& shadow;
     ImageId shadow_bounds;
-    ImageId terrain_light; ///< what meshes hide of the light from all round
+    ImageId terrain_air; ///< light from all round over terrain
 };
 
 /// What the air in front of each pixel adds and lets through. A texel each without air.

@@ -83,11 +83,12 @@ Glow add_glow(FrameGraph& graph, ConstantsId frame, SkyTables const& tables, Abo
 
 } // namespace
 
-ImageId add_terrain_light(FrameGraph& graph, FrameInputs const& in, ConstantsId frame, SkyTables const& sky,
+TerrainLight add_terrain_light(FrameGraph& graph, FrameInputs const& in, ConstantsId frame, SkyTables const& sky,
                           ImageId ceiling) {
     TerrainMaps const& maps = in.terrain;
     bool const has_content = maps.fit().size == 0 || !maps.light_is_new;
-    ImageId const light = graph.import(maps.light, "terrain_light", ShowScale::number, has_content);
+    TerrainLight const light{graph.import(maps.light, "terrain_light", ShowScale::number, has_content),
+                             graph.import(maps.air, "terrain_air", ShowScale::number, has_content)};
     if (!maps.light_is_new) return light;
     Above const above = import_above(graph, maps);
     if (maps.scene_is_new) add_above(graph, in, above);
@@ -97,8 +98,13 @@ ImageId add_terrain_light(FrameGraph& graph, FrameInputs const& in, ConstantsId 
                           {constants(FRAME_SLOT, frame), sampled(TERRAIN_LIGHT_SKY_SLOT, add_sky(graph, frame, sky)),
                            sampled(TERRAIN_LIGHT_GLOW_SLOT, glow.radiance, NEAREST_CLAMP),
                            sampled(TERRAIN_LIGHT_FACING_SLOT, glow.facing, NEAREST_CLAMP),
-                           stored(TERRAIN_LIGHT_RESULT_SLOT, light)},
+                           stored(TERRAIN_LIGHT_RESULT_SLOT, light.surfaces)},
                           graph.shape(above.depth).extent});
+    std::uint32_t const coarse = graph.shape(light.air).extent.width;
+    graph.add(ComputePass{"terrain_air",
+                          shaders::terrain_air_comp,
+                          {sampled(TERRAIN_AIR_LIGHT_SLOT, light.surfaces), stored(TERRAIN_AIR_RESULT_SLOT, light.air)},
+                          {coarse, coarse}});
     return light;
 }
 

@@ -5,7 +5,7 @@
 namespace alpenglow {
 
 /// The map of the light from all round on the scene's terrain, made anew where it is stale: interop/terrain_light.h.
-ImageId add_terrain_light(FrameGraph& graph, FrameInputs const& in, ConstantsId frame, SkyTables const& sky,
+TerrainLight add_terrain_light(FrameGraph& graph, FrameInputs const& in, ConstantsId frame, SkyTables const& sky,
                           ImageId ceiling);
 
 } // namespace alpenglow
