@@ -70,10 +70,7 @@ protected:
         expect_same(changed, drawn(fresh, planet, settings), what);
     }
     static void expect_same(ByteImage const& changed, ByteImage const& expected, std::string_view what) {
-        int most = 0;
-        for (std::size_t i = 0; i < expected.rgba.size(); ++i)
-            most = std::max(most, std::abs(int(changed.rgba[i]) - int(expected.rgba[i])));
-        EXPECT_LE(most, 1) << what;
+        EXPECT_LE(difference(changed, expected), 1) << what;
     }
 
     Planet const earth_ = load_planet("earth");

@@ -48,12 +48,6 @@ protected:
         }
         return groups;
     }
-    static int difference(ByteImage const& a, ByteImage const& b) {
-        int most = 0;
-        for (std::size_t i = 0; i < a.rgba.size(); ++i)
-            most = std::max(most, std::abs(int(a.rgba[i]) - int(b.rgba[i])));
-        return most;
-    }
 
     Stand const stand_ = stand_on(load_planet("earth"));
     World const world_ = stand_.view(stand_.camera({0, 10, 0}, {0, 12, -1}, 1), sun_at(20, 30));

@@ -26,12 +26,6 @@ protected:
         by.draw(world_, settings, EXTENT);
         return by.picture();
     }
-    static int difference(ByteImage const& a, ByteImage const& b) {
-        int most = 0;
-        for (std::size_t i = 0; i < a.rgba.size(); ++i)
-            most = std::max(most, std::abs(int(a.rgba[i]) - int(b.rgba[i])));
-        return most;
-    }
 
     Stand const stand_ = stand_on(load_planet("earth"));
     World const world_ = stand_.view(stand_.camera({0, 6, 12}, {0, 8, -10}, 1), sun_at(12, 70));

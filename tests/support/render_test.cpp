@@ -1,6 +1,8 @@
 #include "support/render_test.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace alpenglow::test {
 
@@ -49,6 +51,12 @@ glm::dvec3 pixel_direction(Camera const& camera, Extent extent, double x, double
     double const ty = std::tan(0.5 * camera.vertical_fov), tx = ty * extent.width / extent.height;
     double const right = (2 * (x + 0.5) / extent.width - 1) * tx, up = (1 - 2 * (y + 0.5) / extent.height) * ty;
     return glm::normalize(camera.world_from_camera * glm::dvec3(right, up, -1));
+}
+
+int difference(ByteImage const& a, ByteImage const& b) {
+    int most = 0;
+    for (std::size_t i = 0; i < a.rgba.size(); ++i) most = std::max(most, std::abs(int(a.rgba[i]) - int(b.rgba[i])));
+    return most;
 }
 
 Renderer& RenderTest::renderer() {

@@ -35,6 +35,9 @@ Settings plain_settings();
 /// The unit direction of a pixel's centre, in world axes.
 glm::dvec3 pixel_direction(Camera const& camera, Extent extent, double x, double y);
 
+/// The largest of a channel, in 255ths, between pictures of one size.
+int difference(ByteImage const& a, ByteImage const& b);
+
 /// A test that draws whole frames. All tests of a program share one renderer.
 class RenderTest : public GpuTest {
 protected:
