@@ -84,11 +84,11 @@ Glow add_glow(FrameGraph& graph, ConstantsId frame, SkyTables const& tables, Abo
 } // namespace
 
 TerrainLight add_terrain_light(FrameGraph& graph, FrameInputs const& in, ConstantsId frame, SkyTables const& sky,
-                          ImageId ceiling) {
+                               ImageId ceiling) {
     TerrainMaps const& maps = in.terrain;
-    bool const has_content = maps.fit().size == 0 || !maps.light_is_new;
-    TerrainLight const light{graph.import(maps.light, "terrain_light", ShowScale::number, has_content),
-                             graph.import(maps.air, "terrain_air", ShowScale::number, has_content)};
+    bool const there = !maps.light_is_new;
+    TerrainLight const light{graph.import(maps.light, "terrain_light", ShowScale::number, there),
+                             graph.import(maps.air, "terrain_air", ShowScale::number, there)};
     if (!maps.light_is_new) return light;
     Above const above = import_above(graph, maps);
     if (maps.scene_is_new) add_above(graph, in, above);
