@@ -13,12 +13,13 @@ constexpr double SIZE_STEP = 1.189207; // 2^(1/4): sizes are rounded up to power
 
 double rounded_up(double size) { return std::pow(SIZE_STEP, std::ceil(std::log(size) / std::log(SIZE_STEP) - 1e-9)); }
 
-glm::dvec3 corner(Box const& box, int i) {
-    return {i & 1 ? box.highest.x : box.lowest.x, i & 2 ? box.highest.y : box.lowest.y,
-            i & 4 ? box.highest.z : box.lowest.z};
-}
-
 } // namespace
+
+glm::dvec3 ShadowScene::corner(int i) const {
+    return glm::dmat3(world_from_scene) * glm::dvec3(i & 1 ? bounds.highest.x : bounds.lowest.x,
+                                                     i & 2 ? bounds.highest.y : bounds.lowest.y,
+                                                     i & 4 ? bounds.highest.z : bounds.lowest.z);
+}
 
 glm::dmat3 light_from_world(glm::dvec3 const& to_sun, glm::dmat3 const& axes) {
     glm::dvec3 const z = -to_sun;
@@ -38,7 +39,7 @@ ShadowFit fit_cascades(ShadowScene const& scene, Camera const& camera, glm::dvec
     fit.nearest = std::numeric_limits<double>::infinity(), fit.farthest = -fit.nearest;
     for (int i = 0; i < 8; ++i) {
         double const z =
-            (fit.light_from_world * glm::dvec3(scene.world_from_scene * glm::dvec4(corner(scene.bounds, i), 1.0))).z;
+            (fit.light_from_world * (glm::dvec3(scene.world_from_scene[3]) + scene.corner(i))).z;
         fit.nearest = std::min(fit.nearest, z), fit.farthest = std::max(fit.farthest, z);
     }
     double const margin = 0.01 * (fit.farthest - fit.nearest) + 1e-3;

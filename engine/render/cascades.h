@@ -29,6 +29,9 @@ struct ShadowFit {
 struct ShadowScene {
     Box bounds; ///< scene frame
     glm::dmat4 world_from_scene{1};
+
+    /// One of the bounds' eight, from the scene's origin, world axes [m].
+    glm::dvec3 corner(int i) const;
 };
 
 struct ShadowSettings {

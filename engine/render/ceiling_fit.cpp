@@ -26,10 +26,7 @@ void bound_scene(CeilingFit& fit, ShadowScene const& scene) {
     Box box;
     fit.over = -std::numeric_limits<double>::infinity();
     for (int i = 0; i < 8; ++i) {
-        glm::dvec3 const corner(i & 1 ? scene.bounds.highest.x : scene.bounds.lowest.x,
-                                i & 2 ? scene.bounds.highest.y : scene.bounds.lowest.y,
-                                i & 4 ? scene.bounds.highest.z : scene.bounds.lowest.z);
-        glm::dvec3 const place = glm::transpose(fit.axes) * (glm::dmat3(scene.world_from_scene) * corner);
+        glm::dvec3 const place = glm::transpose(fit.axes) * scene.corner(i);
         box.include(place);
         fit.over = std::max(fit.over, place.y * fit.sun.x - place.z * fit.sun.y);
     }

@@ -10,12 +10,7 @@ constexpr double LARGEST = 0.25; // of the planet's radius: a scene seen from ab
 
 Box bounds_in(glm::dmat3 const& axes, ShadowScene const& scene) {
     Box box;
-    for (int i = 0; i < 8; ++i) {
-        glm::dvec3 const corner(i & 1 ? scene.bounds.highest.x : scene.bounds.lowest.x,
-                                i & 2 ? scene.bounds.highest.y : scene.bounds.lowest.y,
-                                i & 4 ? scene.bounds.highest.z : scene.bounds.lowest.z);
-        box.include(glm::transpose(axes) * (glm::dmat3(scene.world_from_scene) * corner));
-    }
+    for (int i = 0; i < 8; ++i) box.include(glm::transpose(axes) * scene.corner(i));
     return box;
 }
 
