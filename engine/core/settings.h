@@ -20,7 +20,7 @@ struct Settings {
     std::string air_without{};       ///< components of the planet's air that are left out
     std::string air_phases{};        ///< phases other than the planet's, NAME=PHASE
     int samples = 32;                ///< march samples for each pixel, 4 to 1024
-    int exact_steps = 800;           ///< of shafts "exact" where the air can be shaded
+    int exact_steps = 1600;          ///< of shafts "exact" where the air can be shaded
     std::string shafts = "default";  ///< shadows in the air: off | fast | default | exact
     std::string air_stride = "auto"; ///< [pixels] from one marched ray to the next: auto | 1 | 2 | 4
     bool multiple_scattering = true; ///< light scattered more than once

@@ -11,7 +11,7 @@ namespace alpenglow {
 
 namespace {
 
-constexpr int EXACT_CLEAR_SHARE_PERCENT = 8; ///< cells where nothing shades the air, for each exact one: 64 for 800
+constexpr int EXACT_CLEAR_SHARE_PERCENT = 8; ///< cells where nothing shades the air, for each exact one: 128 for 1600
 constexpr int FAST_LOOKS = 8, DEFAULT_LOOKS = 24; ///< into the cascades for each of the march's cells: docs/shafts.md
 constexpr int EXACT_LOOKS = 8; ///< to the sun's disc from each place; to a point one is enough
 

@@ -39,11 +39,13 @@ struct ShaftRay {
     vec3 light;                   // unit
     Span held[MOST_CASCADES - 1]; // by the finer ones
     Span near;                    // by the last one before it fades
+    int looks;                    // for each cell that is neither lit nor dark as a whole
 };
 
-ShaftRay make_shaft_ray(vec3 light) {
+ShaftRay make_shaft_ray(vec3 light, int looks) {
     ShaftRay ray;
     ray.light = light;
+    ray.looks = looks;
     for (int i = 0; i < MOST_CASCADES - 1; ++i) ray.held[i] = span_inside(frame.cascades[i], light, AIR_MARGIN);
     ray.near = span_inside(frame.cascades[MOST_CASCADES - 1], light, frame.shadow_fade);
     return ray;
@@ -121,7 +123,7 @@ void add_look(inout Seen seen, float v, float x) {
     seen.slope += v * (x - 0.5);
 }
 
-// Of a stretch between two distances [m] from the camera before the last cascade fades, by `frame.shaft_looks` at even places, each at
+// Of a stretch between two distances [m] from the camera before the last cascade fades, by `ray.looks` at even places, each at
 // the share `dither` of its part. `cell`: number on the ray. Stretches that are lit or dark as a whole cost one look.
 Seen seen_near(ShaftRay ray, float begin, float end, float dither, int cell) {
     Stretch stretch = stretch_between(ray, begin, end);
@@ -134,13 +136,14 @@ Seen seen_near(ShaftRay ray, float begin, float end, float dither, int cell) {
     vec2 bounds = bounds_around(stretch, blur);
     float z0 = clamp(stretch.from.z, 0.0, 1.0), z1 = clamp(stretch.from.z + stretch.along.z, 0.0, 1.0);
     bool lit = max(z0, z1) <= bounds.x, dark = min(z0, z1) > bounds.y;
-    float part = 1.0 / float(frame.shaft_looks), x = dither * part;
+    float part = 1.0 / float(ray.looks), x = dither * part;
     Seen seen = Seen(0.0, 0.0);
     int i = 0;
     do {
-        add_look(seen, look(stretch, x, caster, disc_point(i, frame.shaft_looks, cell), keep), x);
+        float v = look(stretch, x, caster, disc_point(i, ray.looks, cell), keep);
+        add_look(seen, i < ray.looks ? v : 0.0, x); // the loop turns as often as a neighbour needs
         x += part;
-    } while (subgroupAny(!lit && !dark && ++i < frame.shaft_looks));
+    } while (subgroupAny(!lit && !dark && ++i < ray.looks));
     if (lit || dark) return Seen(lit ? 1.0 : 0.0, 0.0);
     return Seen(seen.mean * part, seen.slope * part);
 }

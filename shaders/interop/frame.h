@@ -72,7 +72,7 @@ struct FrameConstants {
     float pixel_angle;             // [rad] across one pixel at the picture's centre
     int flags;
     int samples;                   // of the march
-    int shaft_looks;               // into the cascades for each of its cells that a mesh can shade
+    int shaft_looks;               // into the cascades for each of its cells that a mesh can shade; around the sun twice or four times as many
     float disc_across[DISC_SLICES]; // middles of slices of the sun's disc of the same area, from side to side, of its radius
     int exact_cells;               // even cells where a mesh can shade the air, beside `samples`; 0: some of the samples
     int sample_index;              // which supersample this is
