@@ -5,19 +5,21 @@
 #include "atmosphere/multiple_scattering.glsl"
 SHADER_NAMESPACE_BEGIN
 
-// What is left of the diffuse light, as far as it does not know what meshes hide, where meshes hide the share 1 - `seen` of the sun. What hides the sun hides the bright
-// sky around it too, and that is what a forward phase scatters on: its light goes, and of an even phase's the part that
-// came from there. Tuned against the path tracer in valleys: SHADED_SHARE for an even phase.
-CONSTANT float SHADED_SHARE = 0.4f;
+// What is left of the diffuse light of a phase where meshes hide the share 1 - `seen` of the sun. Where light knows what hides it (`known`),
+// a part is lost of what goes nearly straight on: it comes along the shadow. Elsewhere the bright sky around the sun is
+// hidden with it, which is most of what a forward phase scatters on, and of an even phase's the part that came from there.
+// Both tuned against the path tracer: in valleys, and behind a range of 300 km.
+CONSTANT float SHADED_SHARE = 0.4f, SHADED_FORWARD = 0.5f;
 
-INLINE float shaded_share(PhaseMoments phase, float seen) {
-    return mix(SHADED_SHARE * (phase.degree[0] - phase.degree[1]), 1.0f, seen);
+INLINE float shaded_share(PhaseMoments phase, float seen, float known) {
+    float forward = phase.degree[1] / max(phase.degree[0], 1e-6f);
+    return mix(mix(SHADED_SHARE * (phase.degree[0] - phase.degree[1]), 1.0f - SHADED_FORWARD * forward, known), 1.0f, seen);
 }
 
 INLINE DiffuseLight shaded_light(IN(Atmosphere) atmosphere, DiffuseLight light, float seen) {
     for (int i = 0; i < AIR_COMPONENTS; ++i)
         if (component_scatters(atmosphere, i))
-            light.gain[i] *= shaded_share(AIR_CONTENT(atmosphere).components[i].moments, mix(seen, 1.0f, light.known));
+            light.gain[i] *= shaded_share(AIR_CONTENT(atmosphere).components[i].moments, seen, light.known);
     return light;
 }
 

@@ -71,7 +71,7 @@ DiffuseLight light_node(Atmosphere atmosphere, Shade shade, AirRay ray, float t)
             vec3 gain = max(vec3(phase.degree[0]) + phase.degree[1] * terrain.first, vec3(0.0));
             light.gain[i] = mix(light.gain[i], gain, terrain.share);
         }
-    light.known = terrain.share;
+    light.known = terrain.known;
     return light;
 }
 

@@ -6,6 +6,7 @@
 // Light of degrees 0 and 1.
 struct TerrainAir {
     float share; // 0 to 1, of the light that the map knows there
+    float known; // 0 to 1, of the light that knows what meshes hide: where the map is wide, above its terrain and around it too
     vec3 mean;   // over all directions [1/sr]
     vec3 first;  // of degree 1 in one direction, relative to the mean
 };
@@ -28,7 +29,7 @@ TerrainAir terrain_air(vec3 relative, vec3 direction) {
     float share = wide * terrain_inside(uv) * (1.0 - smoothstep(0.0, max(TERRAIN_TOP * ground.y, 1.0), above));
     vec3 mean = max(a.rgb / PI, vec3(1e-20));
     vec3 first = (vec3(a.a, b.rg) * d.x + vec3(b.ba, c.r) * d.y + c.gba * d.z) * (1.5 / PI);
-    return TerrainAir(share, mean, first / mean);
+    return TerrainAir(share, wide, mean, first / mean);
 }
 
 #endif

@@ -38,6 +38,10 @@ float cosine(vec3 a, vec3 b) { return clamp(dot(a, b), -1.0, 1.0); }
 // terrain: tuned against the path tracer.
 const float SHADED_SKY = 0.85;
 
+// Where the sun is hidden, a mirror that faces it shows what hides it in place of the glow around it: no brighter than light from all
+// round is in the mean. Cosines with the sun from which on, and from which on wholly.
+const vec2 HIDDEN_GLOW = vec2(0.94, 0.99);
+
 // What is left of the light from all round where the share `open` of it comes in and the rest is hidden by surfaces like this one
 // in the same light, which reflect it on and on.
 vec3 open_share(Surface surface, float open) { return vec3(open) / (vec3(1.0) - surface.diffuse * (1.0 - open)); }
@@ -68,9 +72,10 @@ vec3 surface_radiance(ViewRay ray, AirPoint place) {
     vec3 up = normalize(frame.camera_up * (frame.atmosphere.ground_radius + frame.camera_altitude) + ray.direction * ray.distance);
     float normal_up = cosine(shading, up);
     SurfaceLight lit;
+    vec3 mirror = mirror_direction(surface, shading, to_camera);
+    float mirror_sun = cosine(mirror, frame.to_sun);
     if (has_flag(FRAME_HAS_AIR)) {
-        vec3 mirror = mirror_direction(surface, shading, to_camera);
-        lit = surface_light(place, SurfaceDirections(normal_up, cosine(shading, frame.to_sun), cosine(mirror, up), cosine(mirror, frame.to_sun), surface.alpha));
+        lit = surface_light(place, SurfaceDirections(normal_up, cosine(shading, frame.to_sun), cosine(mirror, up), mirror_sun, surface.alpha));
     } else if (has_flag(FRAME_STUDIO)) {
         lit.sun = vec3(1.0);
         lit.sky = frame.fill;
@@ -85,6 +90,9 @@ vec3 surface_radiance(ViewRay ray, AirPoint place) {
         visibility = surface_visibility(light, frame.light_from_world * facing);
         visibility *= smoothstep(0.0, 0.02, dot(facing, frame.to_sun)); // what turns away from the sun is in its own shadow
     }
+
+    float sunward = smoothstep(HIDDEN_GLOW.x, HIDDEN_GLOW.y, mirror_sun);
+    lit.mirrored = mix(lit.mirrored, min(lit.mirrored, lit.sky / PI), sunward * (1.0 - visibility));
 
     float shaded_sky = has_flag(FRAME_HAS_AIR) ? mix(SHADED_SKY, 1.0, visibility) : 1.0; // without air no sky is bright around the sun
 #ifdef LIGHT_OF_TERRAIN
