@@ -6,7 +6,6 @@
 #include "encoding/color.glsl"
 
 const float FAINT_SHARE = 0.25; // of the sky's mean radiance: air darker than that is judged as if it were that bright
-const float GLARING = 8.0;      // times that: brighter air, around the sun, is judged as if it were no brighter
 
 float pixel_depth(ivec2 pixel);
 
@@ -83,7 +82,7 @@ float depth_change(vec4 corners, vec2 share, float depth, float through) {
 AirLight air_between(CoarseCell cell, vec2 share, float depth, float faint, out float error) {
     // A bow over a steep edge can lead below 0.
     AirLight air = AirLight(max(between(cell.inscattered, share), vec3(0.0)), max(between(cell.transmittance, share), vec3(0.0)));
-    float bright = clamp(luminance(air.inscattered), faint, GLARING * faint);
+    float bright = max(luminance(air.inscattered), faint);
     float doubt = max(largest(cell.inscattered.doubt) / bright, largest(cell.transmittance.doubt));
 
     float through = clamp(luminance(air.transmittance), 1e-4, 0.9999); // 0 to the power of 0 is no number
