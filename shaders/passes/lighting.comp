@@ -38,7 +38,7 @@ float cosine(vec3 a, vec3 b) { return clamp(dot(a, b), -1.0, 1.0); }
 // terrain: tuned against the path tracer.
 const float SHADED_SKY = 0.85;
 
-// Where the sun is hidden, a mirror that faces it shows what hides it in place of the glow around it: no brighter than light from all
+// Where meshes hide the sun, a mirror that faces it shows what hides it in place of the glow around it: no brighter than light from all
 // round is in the mean. Cosines with the sun from which on, and from which on wholly.
 const vec2 HIDDEN_GLOW = vec2(0.94, 0.99);
 
@@ -88,11 +88,10 @@ vec3 surface_radiance(ViewRay ray, AirPoint place) {
     float visibility = 1.0;
     if (has_flag(FRAME_SHADOWS)) {
         visibility = surface_visibility(light, frame.light_from_world * facing);
+        float sunward = smoothstep(HIDDEN_GLOW.x, HIDDEN_GLOW.y, mirror_sun);
+        lit.mirrored = mix(lit.mirrored, min(lit.mirrored, lit.sky / PI), sunward * (1.0 - visibility));
         visibility *= smoothstep(0.0, 0.02, dot(facing, frame.to_sun)); // what turns away from the sun is in its own shadow
     }
-
-    float sunward = smoothstep(HIDDEN_GLOW.x, HIDDEN_GLOW.y, mirror_sun);
-    lit.mirrored = mix(lit.mirrored, min(lit.mirrored, lit.sky / PI), sunward * (1.0 - visibility));
 
     float shaded_sky = has_flag(FRAME_HAS_AIR) ? mix(SHADED_SKY, 1.0, visibility) : 1.0; // without air no sky is bright around the sun
 #ifdef LIGHT_OF_TERRAIN

@@ -93,12 +93,12 @@ protected:
 } // namespace
 
 // Measured: 0.118 and 0.077, of which 0.018 and 0.015 are between two halves of a reference's own paths. The rest is light of many orders;
-// without the ceiling it is 0.36 and 0.18.
+// without the ceiling it is 0.35 and 0.18, and 0.126 from 12 km where the sea mirrors the sky behind the range.
 TEST_F(LongShadows, are_close_to_the_path_tracer_and_need_the_ceiling) {
     constexpr struct {
         char const* view;
         double most;
-    } CASES[] = {{"range_12km", 0.13}, {"range_400km", 0.085}};
+    } CASES[] = {{"range_12km", 0.122}, {"range_400km", 0.085}};
     for (auto const& [view, most] : CASES) {
         EXPECT_LT(error(view, {}), most) << view;
         EXPECT_GT(error(view, {{"ceiling_size", "0"}}), 1.5 * most) << view;
