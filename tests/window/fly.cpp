@@ -17,7 +17,7 @@ namespace {
 
 constexpr Extent SIZE{320, 180};
 constexpr double RADIUS = 6'360'000; // [m] of assets/planets/earth.json
-constexpr double PATIENCE = 15; // [s] for what takes a second on an idle machine
+constexpr double PATIENCE = 60; // [s] for what takes a second on an idle machine
 
 char const* const FLIGHT = R"({"planet": "earth", "scene": "hills.gltf", "sun": {"elevation": 30, "azimuth": 200}, "exposure": 1,
   "keys": [{"time": 0, "camera": {"latitude": 46, "longitude": 7.5, "altitude": 900, "heading": 80, "pitch": -10}},
