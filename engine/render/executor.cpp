@@ -229,7 +229,7 @@ void Executor::prepare_work_lists(Recording& recording, ComputePass const& pass)
         if (!slot.list) continue;
         full_barrier(recording.commands());
         if (slot.use != ImageUse::storage_write) continue;
-        shader::WorkListHead const empty{0, 1, 1, 0};
+        shader::WorkListHead const empty{0, 1, 1, {0, 0}};
         vkCmdUpdateBuffer(recording.commands(), recording.work_lists[slot.list.index]->handle(), 0, sizeof(empty), &empty);
         full_barrier(recording.commands());
     }

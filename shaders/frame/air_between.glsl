@@ -4,10 +4,10 @@
 #define ALPENGLOW_FRAME_AIR_BETWEEN
 #include "atmosphere/segment_integral.glsl"
 #include "encoding/color.glsl"
+#include "frame/pixel_depth.glsl"
 
-const float FAINT_SHARE = 0.25; // of the sky's mean radiance: air darker than that is judged as if it were that bright
-
-float pixel_depth(ivec2 pixel);
+// Shares of the picture's mean: an error in fainter air is judged as if its light were the first, in brighter air as if the second.
+const float FAINT = 0.25, BRIGHT = 2.0;
 
 // What is known at the corners of a cell: 00 10 01 11, x first. Bends are second differences along its edges, as interpolation
 // takes them (`curve`), and as they bound its error (`doubt`).
@@ -78,11 +78,11 @@ float depth_change(vec4 corners, vec2 share, float depth, float through) {
     return max(change(through, depth, nearest), change(through, depth, farthest));
 }
 
-// The light at a share of the cell whose surface has that depth. `error` over 1: not good enough.
-AirLight air_between(CoarseCell cell, vec2 share, float depth, float faint, out float error) {
+// The light at a share of the cell whose surface has that depth; `mean`: the air's luminance over the picture. `error` over 1: not good enough.
+AirLight air_between(CoarseCell cell, vec2 share, float depth, float mean, out float error) {
     // A bow over a steep edge can lead below 0.
     AirLight air = AirLight(max(between(cell.inscattered, share), vec3(0.0)), max(between(cell.transmittance, share), vec3(0.0)));
-    float bright = max(luminance(air.inscattered), faint);
+    float bright = clamp(luminance(air.inscattered), max(FAINT * mean, TINY), max(BRIGHT * mean, TINY));
     float doubt = max(largest(cell.inscattered.doubt) / bright, largest(cell.transmittance.doubt));
 
     float through = clamp(luminance(air.transmittance), 1e-4, 0.9999); // 0 to the power of 0 is no number

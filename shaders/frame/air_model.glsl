@@ -1,5 +1,5 @@
 // What passes ask of a model of the air. A file of shaders/models defines both functions, the first where LIGHT_OF_RAYS is defined,
-// and declares the images that it reads, from AIR_MODEL_SLOT on; the passes `air`, `air_fill`, `air_repair` and `lighting` are compiled once with each.
+// and declares the images that it reads, from AIR_MODEL_SLOT on; the passes `air`, `air_repair` and `lighting` are compiled once with each.
 // A model may read `frame` and, for the light of rays, the shadow cascades: frame/sun_shadow.glsl, frame/shafts.glsl.
 #ifndef ALPENGLOW_FRAME_AIR_MODEL
 #define ALPENGLOW_FRAME_AIR_MODEL

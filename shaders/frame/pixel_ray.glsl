@@ -2,10 +2,8 @@
 #ifndef ALPENGLOW_FRAME_PIXEL_RAY
 #define ALPENGLOW_FRAME_PIXEL_RAY
 #include "frame/air_model.glsl"
+#include "frame/pixel_depth.glsl"
 #include "interop/frame_block.glsl"
-
-// Reversed, of a pixel that may lie a little outside the picture.
-float pixel_depth(ivec2 pixel) { return texelFetch(depth_image, min(pixel, textureSize(depth_image, 0) - 1), 0).r; }
 
 ViewRay view_ray(ivec2 pixel) {
     vec2 ndc = (vec2(pixel) + 0.5) * frame.inverse_size * 2.0 - 1.0 - frame.jitter;

@@ -14,13 +14,17 @@
 #define AIR_CEILING_SLOT 8               // in: interop/shadow_ceiling.h
 #define AIR_TERRAIN_SLOT 10              // in: interop/terrain_light.h, linear filter, clamped to the edge
 
-// air_fill, in: with half as many texels each way
+// air_fill, in: with half as many texels each way; air_mean, in
 #define AIR_COARSE_INSCATTERED_SLOT 5
 #define AIR_COARSE_TRANSMITTANCE_SLOT 6
 
+#define AIR_MEAN_SLOT 11                 // out of air_mean, in to air_fill; one texel, r: mean luminance of the rays marched first [1/sr]
+
 #define AIR_FILL_ROWS 8                  // of coarse texels that an invocation of air_fill deals with
 
-#define AIR_WORK_SLOT 9                  // texels that air_fill leaves to air_repair: x and y, 16 bits each
+#define AIR_WORK_SLOT 9                  // texels that air_fill leaves to air_repair: x and y, 16 bits each; of two kinds:
+#define SURFACE_WORK 0                   // rays that end on a surface, mostly inside the cascades
+#define SKY_WORK 1                       // rays that lead out of the air
 
 SHADER_NAMESPACE_BEGIN
 struct AirPush {

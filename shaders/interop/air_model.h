@@ -1,4 +1,4 @@
-// Where the images that a model of the air reads begin, in each pass that is compiled with the models: `air`, `air_fill`, `air_repair`, `lighting`.
+// Where the images that a model of the air reads begin, in each pass that is compiled with the models: `air`, `air_repair`, `lighting`.
 #ifndef ALPENGLOW_INTEROP_AIR_MODEL_H
 #define ALPENGLOW_INTEROP_AIR_MODEL_H
 

@@ -1,5 +1,5 @@
 // A list of work that one pass fills and a later one works off, an invocation for each entry: software devices run both sides of
-// a branch, and a list is how they are spared what only a few pixels want.
+// a branch, and a list is how they are spared what only a few pixels want. For the same reason it keeps two kinds of work apart.
 #ifndef ALPENGLOW_INTEROP_WORK_LIST_H
 #define ALPENGLOW_INTEROP_WORK_LIST_H
 #include "interop/language.h"
@@ -10,9 +10,9 @@
 SHADER_NAMESPACE_BEGIN
 struct WorkListHead {
     uint groups_x, groups_y, groups_z; // as vkCmdDispatchIndirect takes them
-    uint count;                        // entries follow
+    uint count[2];                     // of each kind; entries follow
 };
-CHECK_SIZE(WorkListHead, 16);
+CHECK_SIZE(WorkListHead, 20);
 SHADER_NAMESPACE_END
 
 #endif

@@ -24,9 +24,8 @@ layout(push_constant, scalar) uniform Push { AirPush push; };
 #include "models/@AIR_MODEL@.glsl" // CMakeLists.txt: once with each file of that folder
 
 void main() {
-    uint place = gl_GlobalInvocationID.x;
-    bool listed = place < min(work_list.head.count, uint(work_list.entries.length()));
-    uint entry = listed ? work_list.entries[place] : 0;
+    uint entry;
+    bool listed = listed_work(gl_WorkGroupID.x, gl_LocalInvocationID.x, entry);
     ivec2 texel = ivec2(entry & 0xffffu, entry >> 16);
     AirLight air = air_light(view_ray(texel * push.stride));
     if (!listed) return;

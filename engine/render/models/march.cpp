@@ -127,7 +127,6 @@ AirModel make_march() {
     return {.name = "march",
             .help = "each pixel's ray marched; the sun's way and all further orders from tables",
             .air = shaders::air_march_comp,
-            .air_fill = shaders::air_fill_march_comp,
             .air_repair = shaders::air_repair_march_comp,
             .lighting = shaders::lighting_march_comp,
             .tables = {{"transmittance", {TRANSMITTANCE_WIDTH, TRANSMITTANCE_HEIGHT}, ShowScale::optical_depth},

@@ -47,7 +47,7 @@ struct AirTableInputs {
 struct AirModel {
     std::string_view name; ///< as the setting `model` knows it
     std::string_view help;
-    ShaderCode air, air_fill, air_repair, lighting; ///< the passes with shaders/models/NAME.glsl in them
+    ShaderCode air, air_repair, lighting; ///< the passes with shaders/models/NAME.glsl in them
     std::vector<AirTable> tables{};    ///< what it keeps from frame to frame
     std::vector<AirTableStep> steps{}; ///< that make them, in order, when the air changes
     /// Gives what these passes bind behind their own slots, numbered from AIR_MODEL_SLOT on, and declares the

@@ -18,7 +18,6 @@ AirModel make_naive() {
     return {.name = "naive",
             .help = "single scattering, both integrals marched in each pixel, no tables",
             .air = shaders::air_naive_comp,
-            .air_fill = shaders::air_fill_naive_comp,
             .air_repair = shaders::air_repair_naive_comp,
             .lighting = shaders::lighting_naive_comp,
             .slots = [](FrameGraph&, AirTableInputs const&) { return std::vector<Slot>{}; },

@@ -61,7 +61,6 @@ AirModel make_tables() {
     return {.name = "tables",
             .help = "sky and aerial perspective from tables of the view, further orders isotropic",
             .air = shaders::air_tables_comp,
-            .air_fill = shaders::air_fill_tables_comp,
             .air_repair = shaders::air_repair_tables_comp,
             .lighting = shaders::lighting_tables_comp,
             .tables = {{"transmittance", {TRANSMITTANCE_WIDTH, TRANSMITTANCE_HEIGHT}, ShowScale::optical_depth},

@@ -4,14 +4,16 @@
 #include "interop/work_list.h"
 #include "render/models/model.h"
 
+#include <embedded_shaders.h>
+
 namespace alpenglow {
 
 namespace {
 
 /// What interpolated light may be off by, as a share of the air's light or of what is behind it: docs/shafts.md.
-constexpr float TOLERANCE = 0.006f, FAST_TOLERANCE = 0.05f;
+constexpr float TOLERANCE = 0.006f, FAST_TOLERANCE = 0.1f;
 
-constexpr std::size_t WORK_LIST_MOST = std::size_t{WORK_LIST_MOST_GROUPS} * WORK_LIST_THREADS;
+constexpr std::size_t WORK_LIST_MOST = std::size_t{WORK_LIST_MOST_GROUPS - 1} * WORK_LIST_THREADS; // one group may be begun for each kind
 
 /// Texels whose pixels reach to the picture's end or beyond.
 std::uint32_t side_of(std::uint32_t pixels, int stride) {
@@ -20,6 +22,8 @@ std::uint32_t side_of(std::uint32_t pixels, int stride) {
 
 /// Of a layer without air. lavapipe compiles a shader anew for images whose sides are powers of two.
 constexpr Extent NO_AIR{3, 3};
+
+constexpr Extent ONE_WORKGROUP{WORKGROUP_SIZE, WORKGROUP_SIZE};
 
 /// An invocation fills cells of 2 x 2 texels, one below the other.
 Extent fill_threads(Extent texels) {
@@ -30,21 +34,23 @@ Extent fill_threads(Extent texels) {
 class AirPasses {
 public:
     AirPasses(FrameGraph& graph, FrameInputs const& in, ConstantsId frame, AirTables const& tables, int sample)
-        : graph_(graph), in_(in), sample_(sample), any_((in.constants.front().flags & FRAME_AIR) != 0),
-          slots_{constants(FRAME_SLOT, frame)} {
+        : graph_(graph), in_(in), sample_(sample),
+          any_((in.constants.front().flags & FRAME_AIR) != 0), slots_{constants(FRAME_SLOT, frame)} {
         slots_.insert(slots_.end(), tables.slots.begin(), tables.slots.end());
     }
 
     AirLayer add(AirObstacles const& obstacles) {
         int stride = any_ && in_.air.model.air_stride ? in_.air.model.air_stride(in_.settings) : 1;
-        slots_.push_back(sampled(AIR_DEPTH_SLOT, obstacles.depth, NEAREST_CLAMP));
-        std::vector<Slot> const shades{sampled_array(AIR_SHADOW_SLOT, obstacles.shadow.cascades, NEAREST_CLAMP),
+        std::vector<Slot> const shades{sampled(AIR_DEPTH_SLOT, obstacles.depth, NEAREST_CLAMP),
+                                       sampled_array(AIR_SHADOW_SLOT, obstacles.shadow.cascades, NEAREST_CLAMP),
                                        sampled(AIR_CEILING_SLOT, obstacles.shadow.ceiling),
                                        sampled(AIR_TERRAIN_SLOT, obstacles.terrain_air),
                                        sampled(AIR_SHADOW_BOUNDS_SLOT, obstacles.shadow_bounds, NEAREST_CLAMP)};
         AirLayer layer = add_layer(stride);
-        add_pass("air", in_.air.model.air, layer, shades, ImageUse::storage_write, stride, extent(stride));
-        for (; stride > 1; stride /= 2) layer = add_between(layer, shades, stride / 2);
+        march("air", in_.air.model.air, layer, shades, ImageUse::storage_write, stride, extent(stride));
+        if (stride == 1) return layer;
+        ImageId const mean = add_mean(layer);
+        for (; stride > 1; stride /= 2) layer = add_between(layer, mean, obstacles.depth, shades, stride / 2);
         return layer;
     }
 
@@ -61,35 +67,56 @@ private:
                 graph_.add_image(name + "transmittance", shape, ShowScale::unit)};
     }
 
-    AirLayer add_between(AirLayer const& coarse, std::vector<Slot> shades, int stride) {
+    ImageId add_mean(AirLayer const& coarse) {
+        ImageShape const shape{VK_FORMAT_R32G32B32A32_SFLOAT, {1, 1}};
+        ImageId const mean =
+            sample_ > 0 ? graph_.find("air_mean") : graph_.add_image("air_mean", shape, ShowScale::radiance);
+        graph_.add(ComputePass{
+            "air_mean",
+            shaders::air_mean_comp,
+            {sampled(AIR_COARSE_INSCATTERED_SLOT, coarse.inscattered, NEAREST_CLAMP), stored(AIR_MEAN_SLOT, mean)},
+            ONE_WORKGROUP});
+        return mean;
+    }
+
+    AirLayer add_between(AirLayer const& coarse, ImageId mean, ImageId depth, std::vector<Slot> shades, int stride) {
         AirLayer const made = add_layer(stride);
         std::size_t const texels = std::min<std::size_t>(extent(stride).pixels(), WORK_LIST_MOST);
         WorkListId const list = graph_.add_work_list("air_work_" + std::to_string(stride), texels);
-        add_pass("air_fill", in_.air.model.air_fill, made,
-                 {fills(AIR_WORK_SLOT, list), sampled(AIR_COARSE_INSCATTERED_SLOT, coarse.inscattered, NEAREST_CLAMP),
-                  sampled(AIR_COARSE_TRANSMITTANCE_SLOT, coarse.transmittance, NEAREST_CLAMP)},
-                 ImageUse::storage_write, stride, fill_threads(extent(stride)));
+        graph_.add(
+            ComputePass{"air_fill",
+                        shaders::air_fill_comp,
+                        {sampled(AIR_DEPTH_SLOT, depth, NEAREST_CLAMP), sampled(AIR_MEAN_SLOT, mean, NEAREST_CLAMP),
+                         sampled(AIR_COARSE_INSCATTERED_SLOT, coarse.inscattered, NEAREST_CLAMP),
+                         sampled(AIR_COARSE_TRANSMITTANCE_SLOT, coarse.transmittance, NEAREST_CLAMP),
+                         stored(AIR_INSCATTERED_SLOT, made.inscattered),
+                         stored(AIR_TRANSMITTANCE_SLOT, made.transmittance), fills(AIR_WORK_SLOT, list)},
+                        fill_threads(extent(stride)),
+                        bytes_of(push(stride))});
         shades.push_back(works_off(AIR_WORK_SLOT, list));
-        add_pass("air_repair", in_.air.model.air_repair, made, shades, ImageUse::storage_update, stride, {});
+        march("air_repair", in_.air.model.air_repair, made, shades, ImageUse::storage_update, stride, {});
         return made;
     }
 
-    void add_pass(std::string name, ShaderCode const& shader, AirLayer const& made, std::vector<Slot> slots, ImageUse use,
-                  int stride, Extent threads) {
+    shader::AirPush push(int stride) const {
+        return {stride, in_.settings.shafts == "fast" ? FAST_TOLERANCE : TOLERANCE};
+    }
+
+    void march(std::string name, ShaderCode const& shader, AirLayer const& made, std::vector<Slot> slots, ImageUse use,
+               int stride, Extent threads) {
         auto const out = use == ImageUse::storage_update ? updated : stored;
         slots.insert(slots.end(), slots_.begin(), slots_.end());
         slots.push_back(out(AIR_INSCATTERED_SLOT, made.inscattered));
         slots.push_back(out(AIR_TRANSMITTANCE_SLOT, made.transmittance));
         int const variant = in_.air.model.air_variant ? in_.air.model.air_variant(in_) : 0;
-        shader::AirPush const push{stride, in_.settings.shafts == "fast" ? FAST_TOLERANCE : TOLERANCE};
-        graph_.add(ComputePass{std::move(name), shader, std::move(slots), threads, bytes_of(push), variant});
+        graph_.add(ComputePass{std::move(name), shader, std::move(slots), threads, bytes_of(push(stride)), variant});
     }
 
     FrameGraph& graph_;
     FrameInputs const& in_;
     int sample_;
     bool any_;
-    std::vector<Slot> slots_; ///< of all passes
+    std::vector<Slot> slots_; ///< of the passes that march
 };
 
 } // namespace
