@@ -12,8 +12,11 @@ namespace alpenglow {
 namespace {
 
 constexpr int EXACT_CLEAR_SHARE_PERCENT = 8; ///< cells where nothing shades the air, for each exact one: 128 for 1600
-constexpr int FAST_LOOKS = 8, DEFAULT_LOOKS = 24; ///< into the cascades for each of the march's cells: docs/shafts.md
-constexpr int EXACT_LOOKS = 8; ///< to the sun's disc from each place; to a point one is enough
+constexpr int FAST_LOOKS = 8, DEFAULT_LOOKS = 24; ///< at the sun from each of the march's cells: docs/shafts.md
+constexpr int SOFT_LOOKS = 24;                    ///< at the sun's disc
+constexpr int EXACT_LOOKS = 8;                    ///< at the sun's disc from each place; at a point one is enough
+constexpr bool looks_fit(int looks) { return looks % LOOKS_A_TURN == 0 && looks <= 32; } ///< whole turns, a bit each
+static_assert(looks_fit(FAST_LOOKS) && looks_fit(DEFAULT_LOOKS) && looks_fit(SOFT_LOOKS) && looks_fit(EXACT_LOOKS));
 
 glm::mat4 view_clip(Camera const& camera, Extent extent, glm::dvec2 const& jitter) {
     double const scale = 1.0 / std::tan(0.5 * camera.vertical_fov);
@@ -93,7 +96,8 @@ void set_samples(shader::FrameConstants& frame, Settings const& settings) {
     bool const exact = settings.shafts == "exact" && (frame.flags & FRAME_SHAFTS) != 0;
     frame.samples = exact ? std::max(settings.exact_steps * EXACT_CLEAR_SHARE_PERCENT / 100, 16) : settings.samples;
     frame.exact_cells = exact ? settings.exact_steps : 0;
-    frame.shaft_looks = exact ? EXACT_LOOKS : settings.shafts == "fast" ? FAST_LOOKS : DEFAULT_LOOKS;
+    int const looks = settings.soft_shafts ? SOFT_LOOKS : DEFAULT_LOOKS;
+    frame.shaft_looks = exact ? EXACT_LOOKS : settings.shafts == "fast" ? FAST_LOOKS : looks;
 }
 
 } // namespace
@@ -107,7 +111,7 @@ glm::dvec2 supersample_offset(int index, int count) {
 
 int curve_index(std::string_view name) {
     constexpr std::array<std::string_view, CURVE_COUNT> NAMES{"filmic", "exponential", "reinhard", "aces",
-                                                             "lottes", "uchimura",    "agx",         "linear"};
+                                                              "lottes", "uchimura",    "agx",      "linear"};
     return static_cast<int>(std::ranges::find(NAMES, name) - NAMES.begin());
 }
 

@@ -88,7 +88,7 @@ DiffuseRun diffuse_run(Atmosphere atmosphere, Shade shade, AirRay ray, float nea
 Seen seen_in_even(Shade shade, float begin, float end, int number) {
     float near = begin + shade.entry, far = end + shade.entry;
     if ((MARCH_VARIANT & MARCH_EXACT) != 0) return Seen(seen_at_place(shade.shaft, near, far, shade.dither, number), 0.0);
-    return seen_near(shade.shaft, near, far, shade.dither, number);
+    return seen_near(shade.shaft, near, far, number);
 }
 
 // Of the cells around them.
@@ -186,15 +186,6 @@ int shaded_samples(Atmosphere atmosphere, AirRay ray, Span shaded) {
     return int(round(float((frame.samples + 1) / 2) * min(depth / FULL_DEPTH, 1.0)));
 }
 
-const float GLARE = 4.0, BLAZE = 12.0; // tuned: light on a ray, times that of an even phase, from which on it has twice the looks, and four times
-
-// Looks for each cell. The air around the sun is many times as bright as elsewhere, and a look counts for as much more.
-int looks_of(RayPhases phases) {
-    Medium medium = medium_at(frame.atmosphere, 0.0);
-    float bright = 4.0 * PI * luminance(directed_scattering(medium, phases)) / max(luminance(total_scattering(medium)), TINY);
-    return frame.shaft_looks << (bright < GLARE ? 0 : bright < BLAZE ? 1 : 2);
-}
-
 // `distance` [m] to the surface, negative for the sky. Everything relative to the sun's irradiance above the air.
 AirLight march_air(ivec2 pixel, AirRay from_camera, vec3 light, float distance) {
     Atmosphere atmosphere = frame.atmosphere; // read once, before the loops
@@ -206,7 +197,7 @@ AirLight march_air(ivec2 pixel, AirRay from_camera, vec3 light, float distance) 
 
     RayPhases phases = phases_of(frame.atmosphere, ray.nu);
     bool shafts = (MARCH_VARIANT & MARCH_NO_SHAFTS) == 0, exact = (MARCH_VARIANT & MARCH_EXACT) != 0;
-    Shade shade = Shade(make_shaft_ray(light, looks_of(phases)), light * frame.light_from_world, entry, Span(0.0, 0.0), 0.5);
+    Shade shade = Shade(make_shaft_ray(light), light * frame.light_from_world, entry, Span(0.0, 0.0), 0.5);
     if ((frame.flags & FRAME_MARCH_DITHER) != 0) shade.dither = gradient_noise(vec2(pixel) + 5.588238 * float(frame.sample_index));
     Span even = Span(0.0, 0.0);
     if (shafts) {
@@ -218,7 +209,7 @@ AirLight march_air(ivec2 pixel, AirRay from_camera, vec3 light, float distance) 
     if (even.end > even.begin) {
         bool whole = even.end - even.begin > 0.98 * end;
         if (whole) even = Span(0.0, end);
-        inside = exact ? frame.exact_cells : whole ? frame.samples : shaded_samples(atmosphere, ray, even);
+        inside = exact ? frame.exact_cells : whole ? (frame.samples + 1) / 2 : shaded_samples(atmosphere, ray, even);
         if (whole) rest = 0;
     }
     if (inside == 0) even = Span(end, end);

@@ -39,13 +39,11 @@ struct ShaftRay {
     vec3 light;                   // unit
     Span held[MOST_CASCADES - 1]; // by the finer ones
     Span near;                    // by the last one before it fades
-    int looks;                    // for each cell that is neither lit nor dark as a whole
 };
 
-ShaftRay make_shaft_ray(vec3 light, int looks) {
+ShaftRay make_shaft_ray(vec3 light) {
     ShaftRay ray;
     ray.light = light;
-    ray.looks = looks;
     for (int i = 0; i < MOST_CASCADES - 1; ++i) ray.held[i] = span_inside(frame.cascades[i], light, AIR_MARGIN);
     ray.near = span_inside(frame.cascades[MOST_CASCADES - 1], light, frame.shadow_fade);
     return ray;
@@ -95,7 +93,7 @@ vec2 bounds_around(Stretch stretch, float margin) {
     return texelFetch(shadow_bounds, bounds_origin(side, level, int(stretch.layer)) + block, 0).rg;
 }
 
-const int LATTICE_STEP = 5;          // tuned: has no divisor in common with 8 or 24 looks and keeps their points apart
+const int LATTICE_STEP = 5;          // tuned: has no divisor in common with 8, 16 or 24 looks and keeps their points apart
 const float GOLDEN_SHARE = 0.618034; // (sqrt(5) - 1) / 2: its multiples, without their whole parts, stay far from each other
 const int CELL_STEP = 119;           // slices: GOLDEN_SHARE of all
 
@@ -123,9 +121,31 @@ void add_look(inout Seen seen, float v, float x) {
     seen.slope += v * (x - 0.5);
 }
 
-// Of a stretch between two distances [m] from the camera before the last cascade fades, by `ray.looks` at even places, each at
-// the share `dither` of its part. `cell`: number on the ray. Stretches that are lit or dark as a whole cost one look.
-Seen seen_near(ShaftRay ray, float begin, float end, float dither, int cell) {
+const int EDGE_STEPS = 3; // tuned: halvings of the distance of two looks between which the sun is lost or found
+
+// Moves each edge that lies between two looks of a stretch from the middle between them to where it is. Bit i of `lit`: what look i saw.
+void find_edges(inout Seen seen, Stretch stretch, uint lit) {
+    float part = 1.0 / float(frame.shaft_looks - 1);
+    uint edges = (lit ^ lit >> 1) & (1u << (frame.shaft_looks - 1)) - 1u;
+    do {
+        int i = max(findLSB(edges), 0);
+        float near = float(i) * part, far = near + part, middle = near + 0.5 * part, before = float(lit >> i & 1u);
+        for (int step = 0; step < EDGE_STEPS; ++step) {
+            float x = 0.5 * (near + far);
+            bool beyond = look(stretch, x, 0.0, vec2(0.0), 0.0) == before;
+            near = beyond ? x : near;
+            far = beyond ? far : x;
+        }
+        float edge = 0.5 * (near + far), moved = edges == 0 ? 0.0 : (2.0 * before - 1.0) * (edge - middle);
+        seen.mean += moved;
+        seen.slope += moved * (0.5 * (edge + middle) - 0.5);
+        edges &= edges - 1u;
+    } while (subgroupAny(edges != 0));
+}
+
+// Of a stretch between two distances [m] from the camera before the last cascade fades: by looks at even places from its one end to
+// the other, and at the edges between them. `cell`: number on the ray. Stretches that are lit or dark as a whole cost one turn.
+Seen seen_near(ShaftRay ray, float begin, float end, int cell) {
     Stretch stretch = stretch_between(ray, begin, end);
     float caster = 0.0, blur = 0.0, keep = 0.0;
     if (SOFT_SUN) {
@@ -135,17 +155,20 @@ Seen seen_near(ShaftRay ray, float begin, float end, float dither, int cell) {
     }
     vec2 bounds = bounds_around(stretch, blur);
     float z0 = clamp(stretch.from.z, 0.0, 1.0), z1 = clamp(stretch.from.z + stretch.along.z, 0.0, 1.0);
-    bool lit = max(z0, z1) <= bounds.x, dark = min(z0, z1) > bounds.y;
-    float part = 1.0 / float(ray.looks), x = dither * part;
+    bool all_lit = max(z0, z1) <= bounds.x, whole = all_lit || min(z0, z1) > bounds.y;
+    int last = frame.shaft_looks - 1, i = 0;
+    float part = 1.0 / float(last);
     Seen seen = Seen(0.0, 0.0);
-    int i = 0;
+    uint lit = 0;
     do {
-        float v = look(stretch, x, caster, disc_point(i, ray.looks, cell), keep);
-        add_look(seen, i < ray.looks ? v : 0.0, x); // the loop turns as often as a neighbour needs
-        x += part;
-    } while (subgroupAny(!lit && !dark && ++i < ray.looks));
-    if (lit || dark) return Seen(lit ? 1.0 : 0.0, 0.0);
-    return Seen(seen.mean * part, seen.slope * part);
+        for (int turn = 0; turn < LOOKS_A_TURN; ++turn, ++i) {
+            float x = float(i) * part, v = look(stretch, x, caster, disc_point(i, frame.shaft_looks, cell), keep);
+            add_look(seen, (i == 0 || i == last ? 0.5 : 1.0) * part * v, x);
+            lit |= uint(v) << i;
+        }
+    } while (subgroupAny(!whole) && i <= last);
+    if (!SOFT_SUN) find_edges(seen, stretch, whole ? 0u : lit);
+    return whole ? Seen(all_lit ? 1.0 : 0.0, 0.0) : seen;
 }
 
 // The same of the place at a share of it, wherever it is.
@@ -168,11 +191,12 @@ Seen seen_beyond(ShaftRay ray, Span shaded, float begin, float end, float dither
     Seen seen = Seen(0.0, 0.0);
     int i = 0;
     do {
-        add_look(seen, last_visibility(ray.light * mix(begin, end, x)), x);
-        x += part;
-    } while (subgroupAny(!lit && ++i < frame.shaft_looks));
-    if (lit) return Seen(1.0, 0.0);
-    return Seen(seen.mean * part, seen.slope * part);
+        for (int turn = 0; turn < LOOKS_A_TURN; ++turn, ++i) {
+            add_look(seen, part * last_visibility(ray.light * mix(begin, end, x)), x);
+            x += part;
+        }
+    } while (subgroupAny(!lit) && i < frame.shaft_looks);
+    return lit ? Seen(1.0, 0.0) : seen;
 }
 
 #endif
