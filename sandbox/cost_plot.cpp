@@ -23,6 +23,21 @@ std::vector<int> samples_of(std::string_view model) {
     return {4, 8, 16, 32, 64};
 }
 
+/// A model of the air with settings of its own.
+struct Curve {
+    std::string name;
+    std::string_view model;
+    bool shafts = true; ///< as the view has them; off otherwise
+};
+
+/// All models, and of `march` over a scene also what it costs to do without shafts, as the others do.
+std::vector<Curve> curves_of(View const& view) {
+    std::vector<Curve> curves;
+    for (AirModel const& model : air_models()) curves.push_back({std::string(model.name), model.name});
+    if (!view.scene.empty()) curves.push_back({"march, no shafts", "march", false});
+    return curves;
+}
+
 struct PlotCase {
     View view;
     ViewReference reference;
@@ -40,18 +55,19 @@ std::vector<PlotCase> load_cases(BenchOptions const& options) {
     return cases;
 }
 
-PlotPoint measure_point(Stage& stage, PlotCase const& given, BenchOptions const& options, std::string_view model,
+PlotPoint measure_point(Stage& stage, PlotCase const& given, BenchOptions const& options, Curve const& curve,
                         int samples) {
     View view = stage.dressed(given.view);
-    view.settings.model = model;
+    view.settings.model = curve.model;
+    if (!curve.shafts) view.settings.shafts = "off";
     view.settings.samples = samples;
     view.settings.aa = 1;
     Extent const size = options.size.value_or(BenchOptions::SIZE);
     double const ms = time_frames(stage, view, stage.prepare(view), size, options.frames).frame_ms;
     view.settings.aa = EVALUATION_AA;
     double const flip = measure_error(stage, view, given.reference).flip;
-    std::string const count = samples_of(model).size() > 1 ? std::to_string(samples) : std::string();
-    fmt::print("{:<18}{:<10}{:>4}{:>12.1f} ms  FLIP {:.5f}\n", view.name, model, count, ms, flip);
+    std::string const count = samples_of(curve.model).size() > 1 ? std::to_string(samples) : std::string();
+    fmt::print("{:<18}{:<18}{:>4}{:>12.1f} ms  FLIP {:.5f}\n", view.name, curve.name, count, ms, flip);
     return {ms, flip, count};
 }
 
@@ -64,10 +80,10 @@ void plot_costs(BenchOptions const& options) {
     std::vector<PlotPanel> panels;
     for (PlotCase const& given : cases) {
         PlotPanel& panel = panels.emplace_back(PlotPanel{given.view.name, {}});
-        for (AirModel const& model : air_models()) {
-            PlotSeries& series = panel.series.emplace_back(PlotSeries{std::string(model.name), {}});
-            for (int const samples : samples_of(model.name))
-                series.points.push_back(measure_point(stage, given, options, model.name, samples));
+        for (Curve const& curve : curves_of(given.view)) {
+            PlotSeries& series = panel.series.emplace_back(PlotSeries{curve.name, {}});
+            for (int const samples : samples_of(curve.model))
+                series.points.push_back(measure_point(stage, given, options, curve, samples));
         }
     }
     stage.require_no_messages();
