@@ -60,7 +60,8 @@ Noise measure_noise(TracedPicture const& picture) {
 std::string orders_text(int orders) { return orders == 0 ? "all" : std::to_string(orders); }
 
 /// What decides the picture: a state file of another recipe is of another picture.
-std::string recipe(View const& view, ReferenceOptions const& options) {
+std::string recipe(View view, ReferenceOptions const& options) {
+    view.scene = std::filesystem::path(view.scene).filename().string(); // pictures are for other machines too
     return fmt::format("{}seed {}, orders {}, sun {}, {}x{}\n", view_text(view), options.seed,
                        orders_text(options.orders), options.point_sun ? "point" : "disc", options.size.width,
                        options.size.height);
