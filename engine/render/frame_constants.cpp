@@ -13,10 +13,10 @@ namespace {
 
 constexpr int EXACT_CLEAR_SHARE_PERCENT = 8; ///< cells where nothing shades the air, for each exact one: 128 for 1600
 constexpr int FAST_LOOKS = 8, DEFAULT_LOOKS = 24; ///< at the sun from each of the march's cells: docs/shafts.md
+constexpr int FAST_SAVES = 8;                     ///< one of so many samples
 constexpr int SOFT_LOOKS = 24;                    ///< at the sun's disc
 constexpr int EXACT_LOOKS = 8;                    ///< at the sun's disc from each place; at a point one is enough
-constexpr bool looks_fit(int looks) { return looks % LOOKS_A_TURN == 0 && looks <= 32; } ///< whole turns, a bit each
-static_assert(looks_fit(FAST_LOOKS) && looks_fit(DEFAULT_LOOKS) && looks_fit(SOFT_LOOKS) && looks_fit(EXACT_LOOKS));
+static_assert(std::max({FAST_LOOKS, DEFAULT_LOOKS, SOFT_LOOKS, EXACT_LOOKS}) <= 32); // a bit for each
 
 glm::mat4 view_clip(Camera const& camera, Extent extent, glm::dvec2 const& jitter) {
     double const scale = 1.0 / std::tan(0.5 * camera.vertical_fov);
@@ -93,11 +93,12 @@ void set_disc_slices(shader::FrameConstants& frame) {
 }
 
 void set_samples(shader::FrameConstants& frame, Settings const& settings) {
-    bool const exact = settings.shafts == "exact" && (frame.flags & FRAME_SHAFTS) != 0;
-    frame.samples = exact ? std::max(settings.exact_steps * EXACT_CLEAR_SHARE_PERCENT / 100, 16) : settings.samples;
+    bool const exact = settings.shafts == "exact" && (frame.flags & FRAME_SHAFTS) != 0, fast = settings.shafts == "fast";
+    frame.samples = exact ? std::max(settings.exact_steps * EXACT_CLEAR_SHARE_PERCENT / 100, 16)
+                          : settings.samples - (fast ? settings.samples / FAST_SAVES : 0);
     frame.exact_cells = exact ? settings.exact_steps : 0;
     int const looks = settings.soft_shafts ? SOFT_LOOKS : DEFAULT_LOOKS;
-    frame.shaft_looks = exact ? EXACT_LOOKS : settings.shafts == "fast" ? FAST_LOOKS : looks;
+    frame.shaft_looks = exact ? EXACT_LOOKS : fast ? FAST_LOOKS : looks;
 }
 
 } // namespace

@@ -75,9 +75,9 @@ DiffuseLight light_node(Atmosphere atmosphere, Shade shade, AirRay ray, float t)
     return light;
 }
 
-// The diffuse light of the run of cells between three distances [m].
-DiffuseRun diffuse_run(Atmosphere atmosphere, Shade shade, AirRay ray, float near, float middle, float far) {
-    return DiffuseRun(light_node(atmosphere, shade, ray, near), light_node(atmosphere, shade, ray, middle), light_node(atmosphere, shade, ray, far));
+// The diffuse light of a run of cells from where `near` is known on: its middle and far end at two distances [m].
+DiffuseRun run_from(DiffuseLight near, Atmosphere atmosphere, Shade shade, AirRay ray, float middle, float far) {
+    return DiffuseRun(near, light_node(atmosphere, shade, ray, middle), light_node(atmosphere, shade, ray, far));
 }
 
 // The loops of the march turn as often for every ray of a subgroup, and test at their end; a ray that is through goes on with cells of
@@ -101,11 +101,12 @@ Seen seen_around(Shade shade, float begin, float end) {
 AirLight march_evenly(Atmosphere atmosphere, AirRay ray, RayPhases phases, Shade shade, Span span, int n) {
     AirLight result = no_air_light();
     float size = (span.end - span.begin) / float(max(n, 1));
+    DiffuseLight near = light_node(atmosphere, shade, ray, span.begin);
     int i = 0;
     do {
         int first = i, next = min(first + RUN, n);
         float per_cell = 1.0 / float(max(next - first, 1)), from = span.begin + float(first) * size, to = span.begin + float(next) * size;
-        DiffuseRun run = diffuse_run(atmosphere, shade, ray, from, 0.5 * (from + to), to);
+        DiffuseRun run = run_from(near, atmosphere, shade, ray, 0.5 * (from + to), to);
         Medium edge = medium_at(atmosphere, altitude_at(ray, from));
         do {
             float begin = span.begin + float(min(i, next)) * size, cell_size = i < next ? size : 0.0;
@@ -115,6 +116,7 @@ AirLight march_evenly(Atmosphere atmosphere, AirRay ray, RayPhases phases, Shade
             ++i;
         } while (subgroupAny(i < next));
         i = next;
+        near = run.far;
     } while (subgroupAny(i < n));
     return result;
 }
@@ -134,12 +136,14 @@ AirLight march_around(Atmosphere atmosphere, AirRay ray, RayPhases phases, Shade
         result = between;
         stretch = behind;
     }
+    DiffuseLight near = light_node(atmosphere, shade, ray, march_distance(stretch.cells, 0.0));
     int i = 0;
+    bool leaps = false; // from the one to the other: a turn without cells
     do {
-        int n = max(stretch.count, 1), first = i, next = min(first + RUN, stretch.count);
+        int n = max(stretch.count, 1), first = i, next = leaps ? 0 : min(first + RUN, stretch.count);
         float per_cell = 1.0 / float(max(next - first, 1)), from = march_distance(stretch.cells, float(first) / float(n));
-        DiffuseRun run = diffuse_run(atmosphere, shade, ray, from, march_distance(stretch.cells, 0.5 * float(first + next) / float(n)),
-                                     march_distance(stretch.cells, float(next) / float(n)));
+        DiffuseRun run = run_from(near, atmosphere, shade, ray, march_distance(stretch.cells, 0.5 * float(first + next) / float(n)),
+                                  march_distance(stretch.cells, float(next) / float(n)));
         Medium edge = medium_at(atmosphere, altitude_at(ray, from));
         do {
             MarchCell cell = march_cell_from(stretch.cells, from, i, n);
@@ -150,7 +154,9 @@ AirLight march_around(Atmosphere atmosphere, AirRay ray, RayPhases phases, Shade
             ++i;
         } while (subgroupAny(i < next));
         i = next;
-        if (i >= stretch.count && !passed) {
+        near = run.far;
+        leaps = i >= stretch.count && !passed;
+        if (leaps) {
             result.inscattered += result.transmittance * between.inscattered;
             result.transmittance *= between.transmittance;
             stretch = behind;

@@ -144,7 +144,7 @@ void find_edges(inout Seen seen, Stretch stretch, uint lit) {
 }
 
 // Of a stretch between two distances [m] from the camera before the last cascade fades: by looks at even places from its one end to
-// the other, and at the edges between them. `cell`: number on the ray. Stretches that are lit or dark as a whole cost one turn.
+// the other, and at the edges between them. `cell`: number on the ray. Stretches that are lit or dark as a whole cost one look.
 Seen seen_near(ShaftRay ray, float begin, float end, int cell) {
     Stretch stretch = stretch_between(ray, begin, end);
     float caster = 0.0, blur = 0.0, keep = 0.0;
@@ -161,12 +161,10 @@ Seen seen_near(ShaftRay ray, float begin, float end, int cell) {
     Seen seen = Seen(0.0, 0.0);
     uint lit = 0;
     do {
-        for (int turn = 0; turn < LOOKS_A_TURN; ++turn, ++i) {
-            float x = float(i) * part, v = look(stretch, x, caster, disc_point(i, frame.shaft_looks, cell), keep);
-            add_look(seen, (i == 0 || i == last ? 0.5 : 1.0) * part * v, x);
-            lit |= uint(v) << i;
-        }
-    } while (subgroupAny(!whole) && i <= last);
+        float x = float(i) * part, v = look(stretch, x, caster, disc_point(i, frame.shaft_looks, cell), keep);
+        add_look(seen, (i == 0 || i == last ? 0.5 : 1.0) * part * v, x);
+        lit |= uint(v) << i;
+    } while (subgroupAny(!whole) && ++i <= last);
     if (!SOFT_SUN) find_edges(seen, stretch, whole ? 0u : lit);
     return whole ? Seen(all_lit ? 1.0 : 0.0, 0.0) : seen;
 }
@@ -191,11 +189,9 @@ Seen seen_beyond(ShaftRay ray, Span shaded, float begin, float end, float dither
     Seen seen = Seen(0.0, 0.0);
     int i = 0;
     do {
-        for (int turn = 0; turn < LOOKS_A_TURN; ++turn, ++i) {
-            add_look(seen, part * last_visibility(ray.light * mix(begin, end, x)), x);
-            x += part;
-        }
-    } while (subgroupAny(!lit) && i < frame.shaft_looks);
+        add_look(seen, part * last_visibility(ray.light * mix(begin, end, x)), x);
+        x += part;
+    } while (subgroupAny(!lit) && ++i < frame.shaft_looks);
     return lit ? Seen(1.0, 0.0) : seen;
 }
 

@@ -9,7 +9,6 @@
 
 #define MOST_CASCADES 4
 #define DISC_SLICES 192 // a multiple of how often a cell looks at the sun
-#define LOOKS_A_TURN 4  // of such looks: to turn costs lavapipe about as much as a look
 
 // Which matrix a mesh is drawn with: the view's, or that of cascade PROJECTION_CASCADE + i.
 #define PROJECTION_VIEW 0
@@ -73,7 +72,7 @@ struct FrameConstants {
     float pixel_angle;             // [rad] across one pixel at the picture's centre
     int flags;
     int samples;                   // of the march
-    int shaft_looks;               // at the sun from each of its cells that a mesh can shade: a multiple of LOOKS_A_TURN, at most 32
+    int shaft_looks;               // at the sun from each of its cells that a mesh can shade: at most 32
     float disc_across[DISC_SLICES]; // middles of slices of the sun's disc of the same area, from side to side, of its radius
     int exact_cells;               // even cells where a mesh can shade the air, beside `samples`; 0: some of the samples
     int sample_index;              // which supersample this is
