@@ -30,7 +30,7 @@ struct Curve {
     bool shafts = true; ///< as the view has them; off otherwise
 };
 
-/// All models, and of `march` over a scene also what it costs to do without shafts, as the others do.
+/// All models, and of `march` over a scene also without shafts, as `tables` draws it.
 std::vector<Curve> curves_of(View const& view) {
     std::vector<Curve> curves;
     for (AirModel const& model : air_models()) curves.push_back({std::string(model.name), model.name});

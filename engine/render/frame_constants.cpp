@@ -14,9 +14,8 @@ namespace {
 constexpr int EXACT_CLEAR_SHARE_PERCENT = 8; ///< cells where nothing shades the air, for each exact one: 128 for 1600
 constexpr int FAST_LOOKS = 8, DEFAULT_LOOKS = 24; ///< at the sun from each of the march's cells: docs/shafts.md
 constexpr int FAST_SAVES = 8;                     ///< one of so many samples
-constexpr int SOFT_LOOKS = 24;                    ///< at the sun's disc
 constexpr int EXACT_LOOKS = 8;                    ///< at the sun's disc from each place; at a point one is enough
-static_assert(std::max({FAST_LOOKS, DEFAULT_LOOKS, SOFT_LOOKS, EXACT_LOOKS}) <= 32); // a bit for each
+static_assert(std::max({FAST_LOOKS, DEFAULT_LOOKS, EXACT_LOOKS}) <= 32); // a bit for each
 
 glm::mat4 view_clip(Camera const& camera, Extent extent, glm::dvec2 const& jitter) {
     double const scale = 1.0 / std::tan(0.5 * camera.vertical_fov);
@@ -97,8 +96,7 @@ void set_samples(shader::FrameConstants& frame, Settings const& settings) {
     frame.samples = exact ? std::max(settings.exact_steps * EXACT_CLEAR_SHARE_PERCENT / 100, 16)
                           : settings.samples - (fast ? settings.samples / FAST_SAVES : 0);
     frame.exact_cells = exact ? settings.exact_steps : 0;
-    int const looks = settings.soft_shafts ? SOFT_LOOKS : DEFAULT_LOOKS;
-    frame.shaft_looks = exact ? EXACT_LOOKS : fast ? FAST_LOOKS : looks;
+    frame.shaft_looks = exact ? EXACT_LOOKS : fast ? FAST_LOOKS : DEFAULT_LOOKS;
 }
 
 } // namespace

@@ -93,7 +93,7 @@ vec2 bounds_around(Stretch stretch, float margin) {
     return texelFetch(shadow_bounds, bounds_origin(side, level, int(stretch.layer)) + block, 0).rg;
 }
 
-const int LATTICE_STEP = 5;          // tuned: has no divisor in common with 8, 16 or 24 looks and keeps their points apart
+const int LATTICE_STEP = 5;          // tuned: has no divisor in common with 8 or 24 looks and keeps their points apart
 const float GOLDEN_SHARE = 0.618034; // (sqrt(5) - 1) / 2: its multiples, without their whole parts, stay far from each other
 const int CELL_STEP = 119;           // slices: GOLDEN_SHARE of all
 
@@ -144,7 +144,7 @@ void find_edges(inout Seen seen, Stretch stretch, uint lit) {
 }
 
 // Of a stretch between two distances [m] from the camera before the last cascade fades: by looks at even places from its one end to
-// the other, and at the edges between them. `cell`: number on the ray. Stretches that are lit or dark as a whole cost one look.
+// the other, and at the edges between them. `cell`: number on the ray. Stretches that are lit or dark as a whole cost one look and an edge's halvings, as loops test at their end.
 Seen seen_near(ShaftRay ray, float begin, float end, int cell) {
     Stretch stretch = stretch_between(ray, begin, end);
     float caster = 0.0, blur = 0.0, keep = 0.0;
