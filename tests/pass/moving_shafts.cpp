@@ -72,6 +72,7 @@ protected:
         Settings settings = plain_settings();
         settings.cascade_size = 512;
         settings.ceiling_size = 256;
+        settings.terrain_light_size = 0;
         settings.shadows = false; // on the ground, where their edges are what changes most
         settings.exposure = 3.5;
         settings.shafts = shafts;
