@@ -37,7 +37,7 @@ struct Settings {
     int cascade_size = 2048;   ///< texels along a side, 256 to 8192
     int ceiling_size = 2048;   ///< [texels] along a side of the shadow ceiling's map; 0: no shadow beyond shadow_reach
     int terrain_light_size = 256; ///< [texels] along a side of the map of the light on terrain; 0: as on level ground
-    double shadow_reach = 1e5; ///< [m]
+    double shadow_reach = 2e4; ///< [m]
 
     // The picture
     double exposure = 0.0;        ///< [stops]; displayed = curve(2^exposure * radiance)

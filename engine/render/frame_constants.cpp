@@ -145,6 +145,7 @@ shader::FrameConstants make_frame_constants(World const& world, Settings const& 
     frame.ground_tint = glm::vec3(world.planet.ground_albedo);
     if (world.studio) frame.fill = glm::vec3(world.studio->fill), frame.backdrop = glm::vec3(world.studio->backdrop);
     frame.pixel_angle = static_cast<float>(2.0 * ty / size.y);
+    frame.texture_bias = static_cast<float>(-0.5 * std::log2(settings.aa));
     frame.flags = flags_of(world, settings, !shadow.cascades.empty());
     set_samples(frame, settings);
     set_disc_slices(frame);

@@ -65,6 +65,13 @@ Corner middle(Corner const& a, Corner const& b) {
     return {0.5 * (a.position + b.position), 0.5 * (a.uv + b.uv), 0.5 * (a.color + b.color)};
 }
 
+/// What of the light that falls in from above leaves again where slopes stand before each other. `open`: the area of the opening over
+/// the surface's. That is the share of the surface's light that goes out through it if all is as bright: the opening sees nothing but
+/// surface, which by reciprocity sends it as much as its own area would.
+glm::dvec3 albedo_of_slopes(glm::dvec3 const& color, double open) {
+    return color * open / glm::max(1.0 - color * (1.0 - open), 1e-9); // white that never gets out is black
+}
+
 class Grid {
 public:
     Grid(Scene const& scene, glm::dmat4 const& world_from_scene, double planet_radius)
@@ -91,11 +98,16 @@ public:
     std::vector<GroundPatch> patches() const {
         std::vector<GroundPatch> result;
         double const scale = glm::length(glm::dvec3(world_from_scene_[0]));
+        glm::dvec3 upright(0);
+        for (Cell const& cell : cells_) upright += cell.upright;
         for (Cell const& cell : cells_) {
             if (!(cell.area > 0)) continue;
-            glm::vec3 const albedo = glm::clamp(glm::vec3(cell.color / cell.area), 0.0f, 1.0f);
+            // A plane is no valley, however steep: what is open is seen along the scene's mean normal.
+            double const open = std::clamp(glm::dot(cell.upright, glm::normalize(upright)) / cell.surface, 0.0, 1.0);
+            glm::dvec3 const color = glm::clamp(cell.color / cell.area, 0.0, 1.0);
             double const area = std::min(cell.area, spacing_.x * spacing_.y);
-            result.push_back({in_world(cell.position / cell.area), scale * scale * area, albedo});
+            result.push_back({in_world(cell.position / cell.area), scale * scale * area,
+                              glm::vec3(albedo_of_slopes(color, open))});
         }
         return result;
     }
@@ -104,7 +116,8 @@ private:
     static constexpr int SPLITS = 5; ///< of a triangle as large as the scene, down to a patch
     struct Cell {
         glm::dvec3 position{0}, color{0}; ///< times the area
-        double area = 0;
+        double area = 0, surface = 0; ///< of outlines, and of what stands over them
+        glm::dvec3 upright{0};        ///< sum of the surface's normals times areas
     };
 
     Corner corner(Vertex const& vertex, Material const& material, glm::dmat4 const& scene_from_mesh) const {
@@ -127,7 +140,8 @@ private:
         add(material, ab, bc, ca, splits - 1);
     }
     void add_whole(std::uint32_t material, Corner const& a, Corner const& b, Corner const& c) {
-        double const area = 0.5 * glm::cross(b.position - a.position, c.position - a.position).y;
+        glm::dvec3 const upright = 0.5 * glm::cross(b.position - a.position, c.position - a.position);
+        double const area = upright.y;
         glm::dvec3 const position = (a.position + b.position + c.position) / 3.0;
         bool const seen = area > 0 && glm::length(in_world(position)) >= planet_radius_; // not what is no number
         Cell* const cell = seen ? cell_at(position) : nullptr;
@@ -135,6 +149,8 @@ private:
         cell->position += area * position;
         cell->color += area * (a.color + b.color + c.color) / 3.0 * picture_at(material, (a.uv + b.uv + c.uv) / 3.0);
         cell->area += area;
+        cell->upright += upright;
+        cell->surface += glm::length(upright);
     }
     glm::dvec3 in_world(glm::dvec3 const& p) const { return glm::dvec3(world_from_scene_ * glm::dvec4(p, 1)); }
     Cell* cell_at(glm::dvec3 const& position) {

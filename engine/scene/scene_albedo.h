@@ -10,7 +10,7 @@ namespace alpenglow {
 struct GroundPatch {
     glm::dvec3 position{0}; ///< its middle, world [m]
     double area = 0;        ///< [m^2] of its outline on the map
-    glm::vec3 albedo{0};    ///< mean base colour, each surface by its outline; 0 to 1
+    glm::vec3 albedo{0};    ///< share of the light from above that leaves again: base colours by their outlines, less between slopes; 0 to 1
 };
 
 /// Patches of a scene's ground on a grid of GROUND_PATCHES by as many over the outline of its bounds. What lies under

@@ -12,13 +12,16 @@ SHADER_NAMESPACE_BEGIN
 struct DiffuseLight {
     vec3 root;                 // 32nd root of its mean over all directions [1/sr]
     vec3 gain[AIR_COMPONENTS]; // what each component scatters of it, per unit of its scattering, relative to the mean
+    vec3 glow;                 // 0 to 1: the share of the mean that comes from around the sun
     float known;               // 0 to 1: the share of it that knows what meshes hide
+    float mapped;              // 0 to 1: the share of it that comes from a map of the light on terrain
 };
 
 INLINE DiffuseLight no_diffuse_light() {
     DiffuseLight none;
     none.root = vec3(0.0f);
-    none.known = 0.0f;
+    none.glow = vec3(0.0f);
+    none.known = none.mapped = 0.0f;
     for (int i = 0; i < AIR_COMPONENTS; ++i) none.gain[i] = vec3(0.0f);
     return none;
 }
@@ -28,6 +31,7 @@ INLINE DiffuseLight sample_diffuse_light(sampler2D table, IN(Atmosphere) atmosph
     LightByDegree towards = light_by_degree(around, sunward_direction(point.mu, point.mu_s, nu));
     DiffuseLight light = no_diffuse_light();
     light.root = around.root;
+    light.glow = glow_share(around);
     for (int i = 0; i < AIR_COMPONENTS; ++i)
         if (component_scatters(atmosphere, i))
             light.gain[i] = scattered_gain(AIR_CONTENT(atmosphere).components[i].moments, towards);
@@ -59,11 +63,17 @@ INLINE vec3 on_parabola(vec3 near, vec3 middle, vec3 far, float share) {
            far * (share * (2.0f * share - 1.0f));
 }
 
+INLINE float on_lines(float near, float middle, float far, float share) {
+    return mix(mix(near, middle, min(2.0f * share, 1.0f)), far, max(2.0f * share - 1.0f, 0.0f));
+}
+
 // At the share of the run's cells.
 INLINE DiffuseLight diffuse_light_in(IN(Atmosphere) atmosphere, IN(DiffuseRun) run, float share) {
     DiffuseLight light = no_diffuse_light();
     light.root = max(on_parabola(run.near.root, run.middle.root, run.far.root, share), vec3(0.0f));
-    light.known = mix(mix(run.near.known, run.middle.known, min(2.0f * share, 1.0f)), run.far.known, max(2.0f * share - 1.0f, 0.0f));
+    light.glow = on_parabola(run.near.glow, run.middle.glow, run.far.glow, share);
+    light.known = on_lines(run.near.known, run.middle.known, run.far.known, share);
+    light.mapped = on_lines(run.near.mapped, run.middle.mapped, run.far.mapped, share);
     for (int i = 0; i < AIR_COMPONENTS; ++i)
         if (component_scatters(atmosphere, i))
             light.gain[i] = on_parabola(run.near.gain[i], run.middle.gain[i], run.far.gain[i], share);

@@ -68,6 +68,9 @@ INLINE LightByDegree light_by_degree(LightMoments light, SunwardDirection direct
                          light.along3 * b.high.z, light.along4 * b.high.w);
 }
 
+// The share of the light that comes from around the sun: so much from the sun's own direction would have its moment of degree 4.
+INLINE vec3 glow_share(LightMoments light) { return clamp(light.along4 * vec3(1.0f / 3.0f), vec3(0.0f), vec3(1.0f)); }
+
 // Light that a medium of this phase scatters into the direction, per unit of its scattering, relative to m_0: the
 // theorem of Funk and Hecke. A cut-off series may dip below 0 where there is next to nothing.
 INLINE vec3 scattered_gain(PhaseMoments phase, LightByDegree light) {

@@ -27,14 +27,22 @@ INLINE float component_phase(AirComponent component, float nu) {
 // The phases of one ray: constant along it.
 struct RayPhases {
     float of_component[AIR_COMPONENTS]; // [1/sr]
+    float series[AIR_COMPONENTS];       // the same by its first coefficients; the mean over all directions is that of degree 0
 };
+
+INLINE float phase_series(PhaseMoments phase, float nu) {
+    float nu2 = nu * nu;
+    return phase.degree[0] + 3.0f * phase.degree[1] * nu + 2.5f * phase.degree[2] * (3.0f * nu2 - 1.0f) +
+           3.5f * phase.degree[3] * nu * (5.0f * nu2 - 3.0f) + 1.125f * phase.degree[4] * (nu2 * (35.0f * nu2 - 30.0f) + 3.0f);
+}
 
 INLINE RayPhases phases_of(IN(Atmosphere) atmosphere, float nu) {
     RayPhases phases;
     for (int i = 0; i < AIR_COMPONENTS; ++i) {
-        phases.of_component[i] = 0.0f;
-        if (component_scatters(atmosphere, i))
-            phases.of_component[i] = component_phase(AIR_CONTENT(atmosphere).components[i], nu);
+        phases.of_component[i] = phases.series[i] = 0.0f;
+        if (!component_scatters(atmosphere, i)) continue;
+        phases.of_component[i] = component_phase(AIR_CONTENT(atmosphere).components[i], nu);
+        phases.series[i] = phase_series(AIR_CONTENT(atmosphere).components[i].moments, nu);
     }
     return phases;
 }

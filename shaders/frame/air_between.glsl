@@ -78,6 +78,20 @@ float depth_change(vec4 corners, vec2 share, float depth, float through) {
     return max(change(through, depth, nearest), change(through, depth, farthest));
 }
 
+const float AIR_END = 8.0; // tuned
+
+// Whether light falls that much from one corner to another, as it does where the air ends. Beyond it is black, and metrics of wide range
+// see what comes there from beside it, however faint.
+bool at_the_airs_end(CellPart inscattered) {
+    float least = largest(inscattered.corner[0]), most = least;
+    for (int i = 1; i < 4; ++i) {
+        float light = largest(inscattered.corner[i]);
+        least = min(least, light);
+        most = max(most, light);
+    }
+    return most > AIR_END * least;
+}
+
 // The light at a share of the cell whose surface has that depth; `mean`: the air's luminance over the picture. `error` over 1: not good enough.
 AirLight air_between(CoarseCell cell, vec2 share, float depth, float mean, out float error) {
     // A bow over a steep edge can lead below 0.
@@ -88,7 +102,7 @@ AirLight air_between(CoarseCell cell, vec2 share, float depth, float mean, out f
     float through = clamp(luminance(air.transmittance), 1e-4, 0.9999); // 0 to the power of 0 is no number
     float off = depth_change(cell.depth, share, depth, through);
     doubt = max(doubt, off * max(luminance(air.inscattered) / (bright * (1.0 - through)), 1.0));
-    error = doubt / push.tolerance;
+    error = at_the_airs_end(cell.inscattered) ? 2.0 : doubt / push.tolerance;
     return air;
 }
 

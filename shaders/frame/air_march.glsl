@@ -42,7 +42,7 @@ void add_air_cell(inout AirLight light, Atmosphere atmosphere, RayPhases phases,
     float seen = seen_light(shares, edge, air.mean, next, cell_length);
     edge = next;
     vec3 sun = seen * sample_sun_transmittance_along(transmittance_table, atmosphere, altitude_at(ray, t), ray.sun_along + t * ray.nu);
-    DiffuseLight diffuse = shaded_light(atmosphere, diffuse_light_in(atmosphere, run, middle + air.centre * per_cell), seen);
+    DiffuseLight diffuse = shaded_light(atmosphere, phases, diffuse_light_in(atmosphere, run, middle + air.centre * per_cell), seen);
     vec3 extinction = diffuse_extinction(atmosphere, air.mean);
     if ((MARCH_VARIANT & MARCH_ONE_ORDER) != 0) {
         diffuse = no_diffuse_light();
@@ -71,6 +71,8 @@ DiffuseLight light_node(Atmosphere atmosphere, Shade shade, AirRay ray, float t)
             vec3 gain = max(vec3(phase.degree[0]) + phase.degree[1] * terrain.first, vec3(0.0));
             light.gain[i] = mix(light.gain[i], gain, terrain.share);
         }
+    light.glow *= 1.0 - terrain.share;
+    light.mapped = terrain.share;
     light.known = terrain.known;
     return light;
 }

@@ -19,8 +19,9 @@ vec2 uv_of(int slot, vec4 uv) {
     return material.uv_from_vertex[i] * vec3(own, 1.0);
 }
 
-vec4 base_color_at(vec4 uv, vec4 vertex_color) {
-    return material.base_color * vertex_color * texture(base_color_texture, uv_of(MATERIAL_BASE_COLOR_SLOT, uv));
+// `bias`: of the mipmap's level.
+vec4 base_color_at(vec4 uv, vec4 vertex_color, float bias) {
+    return material.base_color * vertex_color * texture(base_color_texture, uv_of(MATERIAL_BASE_COLOR_SLOT, uv), bias);
 }
 
 bool cut_out(float alpha) { return (material.flags & MATERIAL_ALPHA_MASK) != 0 && alpha < material.alpha_cutoff; }

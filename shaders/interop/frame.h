@@ -70,6 +70,7 @@ struct FrameConstants {
     vec3 fill;                     // in a studio: irradiance of the even light all round, relative to the sun's
     vec3 backdrop;                 // in a studio: radiance
     float pixel_angle;             // [rad] across one pixel at the picture's centre
+    float texture_bias;            // of mipmaps' levels: supersamples lie closer than pixels
     int flags;
     int samples;                   // of the march
     int shaft_looks;               // at the sun from each of its cells that a mesh can shade: at most 32
@@ -77,7 +78,7 @@ struct FrameConstants {
     int exact_cells;               // even cells where a mesh can shade the air, beside `samples`; 0: some of the samples
     int sample_index;              // which supersample this is
 };
-CHECK_SIZE(FrameConstants, 2444);
+CHECK_SIZE(FrameConstants, 2448);
 
 SHADER_NAMESPACE_END
 #endif

@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
+#include "interop/frame_block.glsl"
 #include "atmosphere/math.glsl"
 #include "encoding/octahedral.glsl"
 #include "frame/mesh_material.glsl"
@@ -37,7 +38,7 @@ mat3 frame_from_tangent(vec3 n) {
 
 vec3 mapped_normal(vec3 n) {
     vec2 coordinates = uv_of(MATERIAL_NORMAL_SLOT, uv);
-    vec3 texel = texture(normal_texture, coordinates).xyz * 2.0 - 1.0;
+    vec3 texel = texture(normal_texture, coordinates, frame.texture_bias).xyz * 2.0 - 1.0;
     texel.xy *= material.normal_scale;
     mat3 world_from_texel = abs(tangent.w) > 0.5 ? frame_from_tangent(n) : frame_from_derivatives(n, coordinates);
     return normalize(world_from_texel * texel);
@@ -50,23 +51,25 @@ vec3 rounded_emission(vec3 emission) {
     return uintBitsToFloat((floatBitsToUint(max(emission, vec3(0.0))) + step / 2u) & ~(step - 1u));
 }
 
+vec4 texel(sampler2D image, int slot) { return texture(image, uv_of(slot, uv), frame.texture_bias); }
+
 // A dielectric's specular weight and reflectance.
 vec2 dielectric() {
     vec2 plain = vec2(material.specular, material.reflectance);
     if ((material.flags & MATERIAL_SPECULAR_MAPS) == 0) return plain;
-    float weight = texture(specular_texture, uv_of(MATERIAL_SPECULAR_SLOT, uv)).a;
-    vec3 colors = texture(reflectance_texture, uv_of(MATERIAL_REFLECTANCE_SLOT, uv)).rgb;
+    float weight = texel(specular_texture, MATERIAL_SPECULAR_SLOT).a;
+    vec3 colors = texel(reflectance_texture, MATERIAL_REFLECTANCE_SLOT).rgb;
     return plain * vec2(weight, dot(material.reflectance_shares, colors));
 }
 
 void main() {
-    vec4 base = base_color_at(uv, color);
+    vec4 base = base_color_at(uv, color, frame.texture_bias);
     if (cut_out(base.a)) discard;
     // World axes seen from the front; the back of a double-sided surface turns its normal round.
     vec3 facing = normalize(normal) * (gl_FrontFacing ? 1.0 : -1.0);
     vec3 shading = (material.flags & MATERIAL_NORMAL_MAP) != 0 ? mapped_normal(facing) : facing;
-    vec2 metal_rough = texture(metallic_roughness_texture, uv_of(MATERIAL_METALLIC_ROUGHNESS_SLOT, uv)).bg;
-    float occlusion = mix(1.0, texture(occlusion_texture, uv_of(MATERIAL_OCCLUSION_SLOT, uv)).r, material.occlusion_strength);
+    vec2 metal_rough = texel(metallic_roughness_texture, MATERIAL_METALLIC_ROUGHNESS_SLOT).bg;
+    float occlusion = mix(1.0, texel(occlusion_texture, MATERIAL_OCCLUSION_SLOT).r, material.occlusion_strength);
 
     bool unlit = (material.flags & MATERIAL_UNLIT) != 0;
     float metalness = metal_rough.x * material.metallic;
@@ -76,5 +79,5 @@ void main() {
     out_normal = vec4(octahedral_from_unit(shading), octahedral_from_unit(facing));
     out_material = vec4(metal_rough.y * material.roughness, metalness, gloss, specular.y / LARGEST_REFLECTANCE);
     // An unlit surface shows its colour as a Lambert surface that faces an unshaded sun of unit irradiance would.
-    out_emission = rounded_emission(unlit ? base.rgb / PI : material.emission * texture(emission_texture, uv_of(MATERIAL_EMISSION_SLOT, uv)).rgb);
+    out_emission = rounded_emission(unlit ? base.rgb / PI : material.emission * texel(emission_texture, MATERIAL_EMISSION_SLOT).rgb);
 }

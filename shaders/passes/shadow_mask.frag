@@ -8,5 +8,5 @@ layout(location = 3) in vec4 uv;
 layout(location = 4) in vec4 color;
 
 void main() {
-    if (cut_out(base_color_at(uv, color).a)) discard;
+    if (cut_out(base_color_at(uv, color, 0.0).a)) discard;
 }

@@ -153,6 +153,24 @@ TEST_F(AirRepair, is_as_close_to_air_marched_everywhere_as_its_tolerance_says) {
     }
 }
 
+// From orbit: what misses the air sends nothing, and nothing comes to it from the rays beside it.
+TEST_F(AirRepair, leaves_space_black) {
+    stand_ = stand_on(load_planet("earth"), 4e5);
+    Case const given{"limb", {}, {0, 0, 0}, sun_at(-19.5, 0), sun_at(30, 40)};
+    AirLayers const exact = air(given, "default", 1);
+    for (int const stride : {2, 4}) {
+        AirLayers const drawn = air(given, "default", stride);
+        int black = 0;
+        for (std::size_t i = 0; i < EXTENT.pixels(); ++i) {
+            if (largest(exact.inscattered[i]) > 0) continue;
+            ++black;
+            EXPECT_EQ(largest(drawn.inscattered[i]), 0) << "pixel " << i << ", stride " << stride;
+        }
+        EXPECT_GT(black, 500);
+        EXPECT_LT(black, int(EXTENT.pixels()) - 500);
+    }
+}
+
 // Some drivers end a shader's loops after so many turns: what is marched must not share them.
 TEST_F(AirRepair, marches_many_samples_to_their_end) {
     Case const given = masts();

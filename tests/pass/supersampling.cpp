@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 using namespace alpenglow;
 using namespace alpenglow::test;
@@ -30,6 +31,25 @@ protected:
     }
     Stand stand_ = stand_on(airless_planet(), 1000);
 };
+
+/// The square with a picture of a board with black and white fields in no order, about three across a pixel.
+Scene board() {
+    constexpr std::size_t FIELDS = 64;
+    Material glowing = black();
+    glowing.emission = glm::vec3(1);
+    glowing.emission_texture.picture = 0;
+    Scene scene = scene_of({glowing});
+    Picture picture{"board", FIELDS, FIELDS, {}};
+    std::mt19937 random(1);
+    for (std::size_t i = 0; i < FIELDS * FIELDS; ++i) {
+        std::uint8_t const value = random() % 2 != 0 ? 255 : 0;
+        picture.rgba.insert(picture.rgba.end(), {value, value, value, 255});
+    }
+    scene.pictures[0] = picture;
+    add_quad(scene, {0, 10, 0}, {2.5, 0, 0.93}, {-0.93, 0, 2.5});
+    for (Vertex& vertex : scene.meshes[0].vertices) vertex.uv0 = glm::vec2(vertex.position.x, vertex.position.z) / 5.0f;
+    return scene;
+}
 
 /// The mean of blocks of `side` x `side` pixels.
 FloatImage reduced(FloatImage const& image, std::uint32_t side) {
@@ -68,6 +88,16 @@ TEST_F(Supersampling, converges_to_the_covered_share_of_each_pixel) {
     EXPECT_LT(sixteen.mean, 0.5 * four.mean);
     // No shift: the samples' centre is the pixel's.
     EXPECT_LT(std::abs(sixteen.bias), 2e-4);
+}
+
+// Rays that lie closer than pixels read finer mipmaps: else a picture is blurred twice.
+TEST_F(Supersampling, shows_pictures_as_sharp_as_a_pixels_mean) {
+    put(board(), stand_);
+    constexpr std::uint32_t FINE = 16;
+    FloatImage const exact = reduced(seen(1, {FINE * EXTENT.width, FINE * EXTENT.height}), FINE);
+    Difference const one = difference(seen(1, EXTENT), exact), four = difference(seen(4, EXTENT), exact), sixteen = difference(seen(16, EXTENT), exact);
+    EXPECT_LT(four.mean, 0.7 * one.mean);
+    EXPECT_LT(sixteen.mean, 0.3 * one.mean);
 }
 
 TEST_F(Supersampling, is_the_same_every_time) {

@@ -144,6 +144,22 @@ TEST(LightMoments, scattered_light_meets_the_integral_over_the_phase) {
     EXPECT_NEAR(found.x, exact / m[0], 1e-5);
 }
 
+// Even light of which a share comes from the sun's own direction: without that share a phase's series scatters the even rest alone.
+TEST(LightMoments, the_glow_is_what_comes_from_around_the_sun) {
+    constexpr float SHARE = 0.3f;
+    LightMoments light{};
+    light.along = vec3(SHARE * std::sqrt(3.0f)), light.along2 = vec3(SHARE * std::sqrt(5.0f));
+    light.along3 = vec3(SHARE * std::sqrt(7.0f)), light.along4 = vec3(SHARE * 3);
+    EXPECT_NEAR(glow_share(light).x, SHARE, 1e-6);
+    PhaseMoments const forward = {{0.67f, 0.43f, 0.25f, 0.12f, 0.05f}};
+    for (double const nu : {1.0, 0.8, 0.3}) {
+        float const gain = scattered_gain(forward, light_by_degree(light, sunward(nu, 0.8))).x;
+        EXPECT_NEAR(gain - SHARE * phase_series(forward, float(nu)), (1 - SHARE) * forward.degree[0], 1e-5) << nu;
+    }
+    light.along4 = vec3(-0.1f);
+    EXPECT_EQ(glow_share(light).x, 0);
+}
+
 TEST(GatherRays, cover_all_directions_once) {
     Atmosphere const air = test::earth_air();
     for (GatherRays const rays : {FIRST_ORDER_RAYS, HIGHER_ORDER_RAYS})

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numeric>
 
 using namespace alpenglow;
@@ -56,7 +57,30 @@ TEST(GroundPatches, count_surfaces_by_their_outline_on_the_map) {
     add_quad(scene, {-5, 0, 0}, {1, 0, 0}, {0, 0, 1}, 1);  // nor has a ceiling
     std::vector<GroundPatch> const patches = patches_of(scene);
     EXPECT_NEAR(area_of(patches), 8, 0.5); // where the two quads' borders share a patch with nothing
-    expect_color(mean_of(patches), {0.5f, 0.3f, 0.2f});
+    // The mean normal is that of areas (0, 4) and (-12, 4).
+    double const level = 8 / std::hypot(12, 8), steep = (144 + 32) / std::hypot(12, 8) / std::hypot(12, 4);
+    auto const of_slope = [](double color, double open) { return color * open / (1 - color * (1 - open)); };
+    glm::vec3 expected;
+    for (int c = 0; c < 3; ++c) expected[c] = static_cast<float>(0.5 * (of_slope(0.8 / (1 << c), level) + of_slope(0.2, steep)));
+    expect_color(mean_of(patches), expected);
+}
+
+TEST(GroundPatches, of_one_slope_are_as_bright_as_it_is) {
+    Scene scene = two_colors();
+    add_quad(scene, {0, 0, 0}, {8, 0, 0}, {0, 8, -8}, 0);
+    expect_color(mean_of(patches_of(scene)), {0.8f, 0.4f, 0.2f});
+}
+
+// Slopes of 60 degrees before each other: half of a slope's light goes out, the other half meets a slope again. The series of all
+// rounds is A (1/2) (1 + A/2 + ...).
+TEST(GroundPatches, of_slopes_before_each_other_are_darker) {
+    Scene scene = two_colors();
+    for (int i = 0; i < 64; ++i) {
+        double const width = 0.5, height = width * std::sqrt(3.0), x = 2 * width * i;
+        add_quad(scene, {x, 0, 0}, {0.5 * width, 0.5 * height, 0}, {0, 0, -32}, 0);
+        add_quad(scene, {x + width, 0, 0}, {0.5 * width, -0.5 * height, 0}, {0, 0, -32}, 0);
+    }
+    expect_color(mean_of(patches_of(scene)), {0.4f / 0.6f, 0.2f / 0.8f, 0.1f / 0.9f});
 }
 
 TEST(GroundPatches, hold_for_turned_and_mirrored_instances) {

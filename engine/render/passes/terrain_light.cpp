@@ -32,6 +32,7 @@ void add_above(FrameGraph& graph, FrameInputs const& in, Above const& above) {
     Extent const extent = graph.shape(above.depth).extent;
     shader::FrameConstants from_above = in.constants.front();
     from_above.clip_from_relative[PROJECTION_VIEW] = terrain_clip(in.terrain.fit());
+    from_above.texture_bias = 0;
     RasterPass pass;
     pass.name = "terrain_above";
     pass.colors = {above.albedo, above.normal,
