@@ -68,8 +68,19 @@ INLINE LightByDegree light_by_degree(LightMoments light, SunwardDirection direct
                          light.along3 * b.high.z, light.along4 * b.high.w);
 }
 
+// The B_i of the sun's own direction.
+INLINE MomentBasis sun_basis() { return moment_basis(SunwardDirection(1.0f, 0.0f)); }
+
 // The share of the light that comes from around the sun: so much from the sun's own direction would have its moment of degree 4.
-INLINE vec3 glow_share(LightMoments light) { return clamp(light.along4 * vec3(1.0f / 3.0f), vec3(0.0f), vec3(1.0f)); }
+INLINE vec3 glow_share(LightMoments light) { return clamp(light.along4 * vec3(1.0f / sun_basis().high.w), vec3(0.0f), vec3(1.0f)); }
+
+// What a medium of this phase scatters of light from the sun's own direction, of mean 1, by the degrees that are known of it: the
+// theorem of Funk and Hecke.
+INLINE float phase_series(PhaseMoments phase, float nu) {
+    MomentBasis b = moment_basis(SunwardDirection(nu, 0.0f)), sun = sun_basis();
+    return phase.degree[0] + phase.degree[1] * b.low.y * sun.low.y + phase.degree[2] * b.low.w * sun.low.w +
+           phase.degree[3] * b.high.z * sun.high.z + phase.degree[4] * b.high.w * sun.high.w;
+}
 
 // Light that a medium of this phase scatters into the direction, per unit of its scattering, relative to m_0: the
 // theorem of Funk and Hecke. A cut-off series may dip below 0 where there is next to nothing.

@@ -3,6 +3,7 @@
 #ifndef ALPENGLOW_ATMOSPHERE_PHASE_GLSL
 #define ALPENGLOW_ATMOSPHERE_PHASE_GLSL
 #include "atmosphere/density.glsl"
+#include "atmosphere/light_moments.glsl"
 SHADER_NAMESPACE_BEGIN
 
 CONSTANT float ISOTROPIC_PHASE = 1.0f / (4.0f * PI);
@@ -29,12 +30,6 @@ struct RayPhases {
     float of_component[AIR_COMPONENTS]; // [1/sr]
     float series[AIR_COMPONENTS];       // the same by its first coefficients; the mean over all directions is that of degree 0
 };
-
-INLINE float phase_series(PhaseMoments phase, float nu) {
-    float nu2 = nu * nu;
-    return phase.degree[0] + 3.0f * phase.degree[1] * nu + 2.5f * phase.degree[2] * (3.0f * nu2 - 1.0f) +
-           3.5f * phase.degree[3] * nu * (5.0f * nu2 - 3.0f) + 1.125f * phase.degree[4] * (nu2 * (35.0f * nu2 - 30.0f) + 3.0f);
-}
 
 INLINE RayPhases phases_of(IN(Atmosphere) atmosphere, float nu) {
     RayPhases phases;

@@ -17,6 +17,8 @@ layout(location = GBUFFER_NORMAL_TARGET) out vec4 out_normal;
 layout(location = GBUFFER_MATERIAL_TARGET) out vec4 out_material;
 layout(location = GBUFFER_EMISSION_TARGET) out vec3 out_emission;
 
+vec4 texel(sampler2D image, int slot) { return texture(image, uv_of(slot, uv), frame.texture_bias); }
+
 // Tangent and bitangent from how position and texture coordinates change across the screen
 // (Schueler 2013, "Followup: Normal Mapping Without Precomputed Tangents"). The bitangent points to decreasing v, up in the
 // picture, as glTF wants it; the sign of the screen's handedness is taken out.
@@ -38,10 +40,10 @@ mat3 frame_from_tangent(vec3 n) {
 
 vec3 mapped_normal(vec3 n) {
     vec2 coordinates = uv_of(MATERIAL_NORMAL_SLOT, uv);
-    vec3 texel = texture(normal_texture, coordinates, frame.texture_bias).xyz * 2.0 - 1.0;
-    texel.xy *= material.normal_scale;
-    mat3 world_from_texel = abs(tangent.w) > 0.5 ? frame_from_tangent(n) : frame_from_derivatives(n, coordinates);
-    return normalize(world_from_texel * texel);
+    vec3 bump = texel(normal_texture, MATERIAL_NORMAL_SLOT).xyz * 2.0 - 1.0;
+    bump.xy *= material.normal_scale;
+    mat3 world_from_bump = abs(tangent.w) > 0.5 ? frame_from_tangent(n) : frame_from_derivatives(n, coordinates);
+    return normalize(world_from_bump * bump);
 }
 
 // The nearest values that B10G11R11 holds, with 6, 6 and 5 bits behind the first one: devices cut off what is beyond, which makes
@@ -50,8 +52,6 @@ vec3 rounded_emission(vec3 emission) {
     const uvec3 step = uvec3(1u << 17, 1u << 17, 1u << 18);
     return uintBitsToFloat((floatBitsToUint(max(emission, vec3(0.0))) + step / 2u) & ~(step - 1u));
 }
-
-vec4 texel(sampler2D image, int slot) { return texture(image, uv_of(slot, uv), frame.texture_bias); }
 
 // A dielectric's specular weight and reflectance.
 vec2 dielectric() {
