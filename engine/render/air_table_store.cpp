@@ -41,7 +41,8 @@ void AirTableStore::discard() {
 }
 
 bool AirTableStore::Kept::finished_for(shader::Atmosphere const& air) const {
-    return progress.step == model.steps.size() && (model.steps.empty() || (made_for && same(*made_for, air)));
+    std::size_t const steps = model.steps(air).size();
+    return progress.step == steps && (steps == 0 || (made_for && same(*made_for, air)));
 }
 
 GpuImage* AirTableStore::Kept::find(std::string_view name) const {
@@ -55,12 +56,13 @@ TableWork table_work(AirTableStore::Kept const& tables, shader::Atmosphere const
                      TablePace const& pace) {
     bool const goes_on = tables.made_for && same(*tables.made_for, air);
     TableProgress const start = goes_on ? tables.progress : TableProgress{};
-    return {start, spread ? next_slices(tables.model.steps, start, pace) : remaining_slices(tables.model.steps, start)};
+    std::vector<AirTableStep> const& steps = tables.model.steps(air);
+    return {start, spread ? next_slices(steps, start, pace) : remaining_slices(steps, start)};
 }
 
 void finish_work(AirTableStore::Kept& tables, shader::Atmosphere const& air, std::string const& planet,
                  TableWork const& work) {
-    std::vector<AirTableStep> const& steps = tables.model.steps;
+    std::vector<AirTableStep> const& steps = tables.model.steps(air);
     for (StepSlice const& slice : work.slices) {
         TwofoldTable& table = tables.tables[steps[slice.step].makes.table];
         table.has_content[1 - table.finished] = true;

@@ -15,6 +15,7 @@
 namespace alpenglow {
 
 struct AirModel;
+struct AirTableStep;
 struct StepSlice;
 struct TwofoldTable;
 
@@ -38,7 +39,8 @@ struct AirLayer {
 struct ModelTables {
     AirModel const& model;
     std::vector<TwofoldTable> const& tables; ///< in the model's order
-    std::span<StepSlice const> slices;       ///< of the model's steps, that make them in this frame
+    std::span<AirTableStep const> steps;     ///< that make them in this air
+    std::span<StepSlice const> slices;       ///< of these steps, in this frame
 };
 
 /// Light from all round, as the map of the scene has it: interop/terrain_light.h.

@@ -60,7 +60,8 @@ struct Renderer::Composed {
           terrain(by.terrain_.of(terrain_cause, !is_ahead() && !work.slices.empty())),
           ground(by.ground_at(world.camera.position, world.planet)),
           terrain_ground(terrain.light_is_new ? by.ground_at(middle(fits.terrain), world.planet) : ground),
-          air{read.model, read.tables, {}}, air_made{made.model, made.tables, work.slices},
+          air{read.model, read.tables, {}, {}},
+          air_made{made.model, made.tables, made.model.steps(constants.front().atmosphere), work.slices},
           inputs{world, settings, extent, by.scene_.get(), fits.shadow, ceiling, terrain, constants,
                  is_ahead() ? air : air_made, is_ahead() ? &air_made : nullptr, ground, terrain_ground, by.exposure_, seconds,
                  *by.mean_, *by.picture_} {

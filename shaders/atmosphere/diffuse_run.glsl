@@ -1,4 +1,4 @@
-// Light that has been scattered before, along a ray. It changes slowly: a look into the six tiles of its table
+// Light that has been scattered before, along a ray. It changes slowly: a look into the twelve tiles of its table
 // (light_moments.glsl) at both ends and in the middle of a run of cells serves them all, by a parabola between the 32nd
 // roots, which follow an exponential nearly linearly.
 #ifndef ALPENGLOW_ATMOSPHERE_DIFFUSE_RUN_GLSL

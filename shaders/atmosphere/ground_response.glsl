@@ -37,17 +37,25 @@ INLINE vec3 light_over_bright_ground(IN(Atmosphere) atmosphere, sampler2D respon
 }
 
 // The part that is the same on all sides of the polar axis: a sum over directions of one azimuth has no other.
-INLINE ChannelMoments zonal_moments(ChannelMoments sum) {
-    return ChannelMoments(vec4(sum.low.x, sum.low.y, 0.0f, sum.low.w), vec4(0.0f, 0.0f, sum.high.z, sum.high.w));
+INLINE Moments zonal_moments(Moments sum) {
+    Moments zonal = no_moments();
+    zonal.part[0] = vec4(sum.part[0].x, sum.part[0].y, 0.0f, sum.part[0].w);
+    zonal.part[1].x = sum.part[1].x;
+    zonal.part[2].x = sum.part[2].x;
+    return zonal;
 }
 
 // Moments around the sun of light that has these around the zenith: by the addition theorem each degree's is spread over
 // the harmonics' values at the zenith.
-INLINE ChannelMoments turned_to_sun(ChannelMoments zonal, float mu_s) {
-    MomentBasis up = moment_basis(SunwardDirection(mu_s, sqrt(max(1.0f - mu_s * mu_s, 0.0f))));
-    float first = zonal.low.y * 0.577350269f, second = zonal.low.w * 0.447213595f; // over the root of 2 l + 1
-    return ChannelMoments(up.low * vec4(zonal.low.x, first, first, second),
-                          up.high * vec4(second, second, zonal.high.z * 0.377964473f, zonal.high.w / 3.0f));
+INLINE Moments turned_to_sun(Moments zonal, float mu_s) {
+    Moments turned = moment_basis(SunwardDirection(mu_s, sqrt(max(1.0f - mu_s * mu_s, 0.0f))));
+    float first = zonal.part[0].y * 0.577350269f, second = zonal.part[1].x * 0.447213595f; // over the root of 2 l + 1
+    float third = zonal.part[2].x * 0.377964473f, fourth = zonal.part[0].w / 3.0f;
+    turned.part[0] *= vec4(zonal.part[0].x, first, first, fourth);
+    turned.part[1] *= vec4(second, second, second, fourth);
+    turned.part[2] *= third;
+    turned.part[3] *= fourth;
+    return turned;
 }
 
 // By how much ground of the table's model, which lies at altitude 0, has to be brighter [1/sr] under a sun at mu_s for the
@@ -69,9 +77,8 @@ INLINE vec3 ground_difference(IN(Atmosphere) atmosphere, sampler2D transmittance
 }
 
 // Of one channel: all orders over the planet's ground, and the response times that difference.
-INLINE ChannelMoments over_other_ground(ChannelMoments light, ChannelMoments response, float difference, float mu_s) {
-    ChannelMoments turned = turned_to_sun(response, mu_s);
-    return ChannelMoments(light.low + turned.low * difference, light.high + turned.high * difference);
+INLINE Moments over_other_ground(Moments light, Moments response, float difference, float mu_s) {
+    return sum_of(light, scaled(turned_to_sun(response, mu_s), difference));
 }
 
 SHADER_NAMESPACE_END

@@ -1,18 +1,15 @@
-// Diffuse light around a point as eight moments, and what follows from them: the light scattered into a direction, and
+// Diffuse light around a point as fifteen moments, and what follows from them: the light scattered into a direction, and
 // the irradiance of a surface.
 // The moments are those of the radiance that arrives from sky and ground, all orders from the first on, without the
 // direct sun: m_i = mean over all directions of L B_i [1/sr per unit of solar irradiance above the air]. The B_i are
-// real spherical harmonics whose square has the mean 1; their polar axis points to the sun and their azimuth starts in
-// the plane of the zenith, which is a plane of symmetry, so that the sines of the azimuth drop out. Degrees 0 to 2 are
-// whole, of 3 and 4 there is the part without azimuth.
-// Table: of any width and six times any height, in six tiles one above the other, two for each channel:
-// (32nd root of m_0, m_1 / m_0, m_2 / m_0, m_3 / m_0) and (m_4 to m_7) / m_0.
+// the real spherical harmonics of degrees 0 to 4, whose square has the mean 1; their polar axis points to the sun and their
+// azimuth starts in the plane of the zenith, which is a plane of symmetry, so that the sines of the azimuth drop out.
+// Table: of any width and LIGHT_TILES times any height, tiles one above the other, LIGHT_PARTS for each channel:
+// (32nd root of m_0, m_1 / m_0, m_2 / m_0, m_3 / m_0) and so on, as `Moments` has them.
 #ifndef ALPENGLOW_ATMOSPHERE_LIGHT_MOMENTS_GLSL
 #define ALPENGLOW_ATMOSPHERE_LIGHT_MOMENTS_GLSL
 #include "atmosphere/sun_mapping.glsl"
 SHADER_NAMESPACE_BEGIN
-
-CONSTANT int LIGHT_MOMENTS = 8;
 
 // A direction as seen from the sun. w = sin(angle to the sun) cos(azimuth from the zenith's plane).
 struct SunwardDirection {
@@ -28,29 +25,44 @@ INLINE SunwardDirection sunward_direction(float mu, float mu_s, float nu) {
     return SunwardDirection(nu, clamp((mu - nu * mu_s) / sin_sun, -side, side));
 }
 
-// The B_i of a direction: degrees (0, 1, 1, 2) and (2, 2, 3, 4).
-struct MomentBasis {
-    vec4 low;
-    vec4 high;
+// A number for each B_i: degrees 0, 1, 1 and 4, then 2, 2, 2 and 4, all of 3, and 4, 4, 4 and nothing. In each degree by rising
+// multiples of the azimuth, but for degree 4, where they are 0, 2, 1, 3 and 4.
+struct Moments {
+    vec4 part[LIGHT_PARTS];
 };
 
-INLINE MomentBasis moment_basis(SunwardDirection d) {
-    float nu2 = d.nu * d.nu;
-    return MomentBasis(vec4(1.0f, 1.73205081f * d.nu, 1.73205081f * d.w, 1.11803399f * (3.0f * nu2 - 1.0f)),
-                       vec4(3.87298335f * d.nu * d.w, 3.87298335f * (d.w * d.w - 0.5f * (1.0f - nu2)),
-                            1.32287566f * d.nu * (5.0f * nu2 - 3.0f), 0.375f * (nu2 * (35.0f * nu2 - 30.0f) + 3.0f)));
+INLINE Moments no_moments() {
+    Moments none;
+    for (int i = 0; i < LIGHT_PARTS; ++i) none.part[i] = vec4(0.0f);
+    return none;
 }
 
-// The moments of the three channels, m_0 apart: the rest relative to it.
+INLINE Moments sum_of(Moments a, Moments b) {
+    for (int i = 0; i < LIGHT_PARTS; ++i) a.part[i] += b.part[i];
+    return a;
+}
+
+INLINE Moments scaled(Moments a, float scale) {
+    for (int i = 0; i < LIGHT_PARTS; ++i) a.part[i] *= scale;
+    return a;
+}
+
+// The B_i of a direction.
+INLINE Moments moment_basis(SunwardDirection d) {
+    float nu2 = d.nu * d.nu, side2 = 1.0f - nu2, w2 = d.w * d.w;
+    float twice = 2.0f * w2 - side2, thrice = d.w * (4.0f * w2 - 3.0f * side2), four = 8.0f * w2 * (w2 - side2) + side2 * side2; // sin^m cos(m azimuth)
+    Moments b;
+    b.part[0] = vec4(1.0f, 1.73205081f * d.nu, 1.73205081f * d.w, 0.375f * (nu2 * (35.0f * nu2 - 30.0f) + 3.0f));
+    b.part[1] = vec4(1.11803399f * (3.0f * nu2 - 1.0f), 3.87298335f * d.nu * d.w, 1.93649167f * twice, 1.67705098f * (7.0f * nu2 - 1.0f) * twice);
+    b.part[2] = vec4(1.32287566f * d.nu * (5.0f * nu2 - 3.0f), 1.62018517f * d.w * (5.0f * nu2 - 1.0f), 5.12347538f * d.nu * twice, 2.09165007f * thrice);
+    b.part[3] = vec4(2.37170825f * d.w * d.nu * (7.0f * nu2 - 3.0f), 6.27495020f * d.nu * thrice, 2.21852993f * four, 0.0f);
+    return b;
+}
+
+// The moments of the three channels, relative to m_0.
 struct LightMoments {
-    vec3 root;    // 32nd root of m_0
-    vec3 along;   // of nu
-    vec3 across;  // of w
-    vec3 along2;  // of degree 2
-    vec3 mixed2;
-    vec3 across2;
-    vec3 along3;
-    vec3 along4;
+    vec3 root; // 32nd root of m_0
+    Moments channel[3];
 };
 
 // Light from one direction by degrees, relative to m_0 (which is degree 0's).
@@ -61,25 +73,34 @@ struct LightByDegree {
     vec3 fourth;
 };
 
-INLINE LightByDegree light_by_degree(LightMoments light, SunwardDirection direction) {
-    MomentBasis b = moment_basis(direction);
-    return LightByDegree(light.along * b.low.y + light.across * b.low.z,
-                         light.along2 * b.low.w + light.mixed2 * b.high.x + light.across2 * b.high.y,
-                         light.along3 * b.high.z, light.along4 * b.high.w);
+INLINE LightByDegree light_by_degree(IN(LightMoments) light, SunwardDirection direction) {
+    Moments b = moment_basis(direction);
+    LightByDegree by;
+    for (int c = 0; c < 3; ++c) {
+        vec4 low = light.channel[c].part[0] * b.part[0], second = light.channel[c].part[1] * b.part[1];
+        by.first[c] = low.y + low.z;
+        by.second[c] = second.x + second.y + second.z;
+        by.third[c] = dot(light.channel[c].part[2], b.part[2]);
+        by.fourth[c] = low.w + second.w + dot(light.channel[c].part[3], b.part[3]);
+    }
+    return by;
 }
 
 // The B_i of the sun's own direction.
-INLINE MomentBasis sun_basis() { return moment_basis(SunwardDirection(1.0f, 0.0f)); }
+INLINE Moments sun_basis() { return moment_basis(SunwardDirection(1.0f, 0.0f)); }
 
 // The share of the light that comes from around the sun: so much from the sun's own direction would have its moment of degree 4.
-INLINE vec3 glow_share(LightMoments light) { return clamp(light.along4 * vec3(1.0f / sun_basis().high.w), vec3(0.0f), vec3(1.0f)); }
+INLINE vec3 glow_share(IN(LightMoments) light) {
+    vec3 along4 = vec3(light.channel[0].part[0].w, light.channel[1].part[0].w, light.channel[2].part[0].w);
+    return clamp(along4 * vec3(1.0f / sun_basis().part[0].w), vec3(0.0f), vec3(1.0f));
+}
 
 // What a medium of this phase scatters of light from the sun's own direction, of mean 1, by the degrees that are known of it: the
 // theorem of Funk and Hecke.
 INLINE float phase_series(PhaseMoments phase, float nu) {
-    MomentBasis b = moment_basis(SunwardDirection(nu, 0.0f)), sun = sun_basis();
-    return phase.degree[0] + phase.degree[1] * b.low.y * sun.low.y + phase.degree[2] * b.low.w * sun.low.w +
-           phase.degree[3] * b.high.z * sun.high.z + phase.degree[4] * b.high.w * sun.high.w;
+    Moments b = moment_basis(SunwardDirection(nu, 0.0f)), sun = sun_basis();
+    return phase.degree[0] + phase.degree[1] * b.part[0].y * sun.part[0].y + phase.degree[2] * b.part[1].x * sun.part[1].x +
+           phase.degree[3] * b.part[2].x * sun.part[2].x + phase.degree[4] * b.part[0].w * sun.part[0].w;
 }
 
 // Light that a medium of this phase scatters into the direction, per unit of its scattering, relative to m_0: the
@@ -119,12 +140,12 @@ INLINE vec4 sample_light_tile(sampler2D table, vec2 uv, int tile) {
 
 INLINE LightMoments sample_light_moments(sampler2D table, IN(Atmosphere) atmosphere, float h, float mu_s) {
     vec2 uv = light_moments_uv(atmosphere, textureSize(table, 0), h, mu_s);
-    vec4 r = sample_light_tile(table, uv, 0), r_high = sample_light_tile(table, uv, 1);
-    vec4 g = sample_light_tile(table, uv, 2), g_high = sample_light_tile(table, uv, 3);
-    vec4 b = sample_light_tile(table, uv, 4), b_high = sample_light_tile(table, uv, 5);
-    return LightMoments(vec3(r.x, g.x, b.x), vec3(r.y, g.y, b.y), vec3(r.z, g.z, b.z), vec3(r.w, g.w, b.w),
-                        vec3(r_high.x, g_high.x, b_high.x), vec3(r_high.y, g_high.y, b_high.y),
-                        vec3(r_high.z, g_high.z, b_high.z), vec3(r_high.w, g_high.w, b_high.w));
+    LightMoments light;
+    for (int c = 0; c < 3; ++c) {
+        for (int i = 0; i < LIGHT_PARTS; ++i) light.channel[c].part[i] = sample_light_tile(table, uv, LIGHT_PARTS * c + i);
+        light.root[c] = light.channel[c].part[0].x;
+    }
+    return light;
 }
 
 // Irradiance [per unit of solar irradiance] from sky and ground on a surface at altitude h [m], whose normal has the

@@ -138,32 +138,27 @@ INLINE vec3 scattered_light(IN(Atmosphere) atmosphere, sampler2D table, AirRay r
     return behind_air(light, ground_radiance(atmosphere, irradiance) * vec3(segment.hits_ground ? 1.0f : 0.0f));
 }
 
-// The moments of one channel, low degrees and high ones, not divided by m_0.
-struct ChannelMoments {
-    vec4 low;
-    vec4 high;
-};
-
-// As the table's two tiles hold them; and back.
-INLINE ChannelMoments packed_moments(ChannelMoments sum) {
-    float mean = max(sum.low.x, 1e-36f);
-    vec4 ratios = sum.low / mean;
-    return ChannelMoments(vec4(root32(vec3(mean)).x, ratios.y, ratios.z, ratios.w), sum.high / mean);
+// Moments of one channel, not divided by m_0, as the table's tiles hold them; and back.
+INLINE Moments packed_moments(Moments sum) {
+    float mean = max(sum.part[0].x, 1e-36f);
+    Moments texels = scaled(sum, 1.0f / mean);
+    texels.part[0].x = root32(vec3(mean)).x;
+    return texels;
 }
 
-INLINE ChannelMoments unpacked_moments(ChannelMoments texels) {
-    float mean = power32(vec3(texels.low.x)).x;
-    return ChannelMoments(vec4(1.0f, texels.low.y, texels.low.z, texels.low.w) * mean, texels.high * mean);
+INLINE Moments unpacked_moments(Moments texels) {
+    float mean = power32(vec3(texels.part[0].x)).x;
+    texels.part[0].x = 1.0f;
+    return scaled(texels, mean);
 }
 
 // The sum of all orders from three sums, each an order longer, where each order is worth the same share of the last. At
 // most 0.95: a share measured on the last digits of a table that has converged means nothing, and harms nothing.
-INLINE ChannelMoments extrapolated_moments(ChannelMoments oldest, ChannelMoments older, ChannelMoments newest) {
-    float order = newest.low.x - older.low.x;
-    float share = clamp(order / max(older.low.x - oldest.low.x, 1e-36f), 0.0f, 0.95f);
+INLINE Moments extrapolated_moments(Moments oldest, Moments older, Moments newest) {
+    float order = newest.part[0].x - older.part[0].x;
+    float share = clamp(order / max(older.part[0].x - oldest.part[0].x, 1e-36f), 0.0f, 0.95f);
     float tail = share / (1.0f - share);
-    return ChannelMoments(newest.low + (newest.low - older.low) * tail,
-                          newest.high + (newest.high - older.high) * tail);
+    return sum_of(newest, scaled(sum_of(newest, scaled(older, -1.0f)), tail));
 }
 
 SHADER_NAMESPACE_END

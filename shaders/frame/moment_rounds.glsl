@@ -4,17 +4,19 @@
 #include "frame/node_moments.glsl"
 #include "interop/multiple_scattering.h"
 
-ChannelMoments moments_of(sampler2D from, int channel) {
-    return unpacked_moments(ChannelMoments(texelFetch(from, tile_texel(2 * channel), 0),
-                                           texelFetch(from, tile_texel(2 * channel + 1), 0)));
+Moments moments_of(sampler2D from, int channel) {
+    Moments texels;
+    for (int i = 0; i < LIGHT_PARTS; ++i) texels.part[i] = texelFetch(from, tile_texel(LIGHT_PARTS * channel + i), 0);
+    return unpacked_moments(texels);
 }
 
-ChannelMoments oldest_moments(int channel) {
-    return unpacked_moments(ChannelMoments(imageLoad(table, tile_texel(2 * channel)),
-                                           imageLoad(table, tile_texel(2 * channel + 1))));
+Moments oldest_moments(int channel) {
+    Moments texels;
+    for (int i = 0; i < LIGHT_PARTS; ++i) texels.part[i] = imageLoad(table, tile_texel(LIGHT_PARTS * channel + i));
+    return unpacked_moments(texels);
 }
 
-void store_round(int channel, ChannelMoments sum) {
+void store_round(int channel, Moments sum) {
     if (push.mode == MULTIPLE_SCATTERING_EXTRAPOLATES)
         sum = extrapolated_moments(oldest_moments(channel), moments_of(before_table, channel), sum);
     store_moments(channel, sum);

@@ -32,28 +32,24 @@ void clear_sums() {
 }
 
 void add_direction(GatherDirection direction, vec3 radiance) {
-    MomentBasis basis = moment_basis(direction.sunward);
+    Moments basis = moment_basis(direction.sunward);
     for (int channel = 0; channel < 3; ++channel) {
         float share = direction.weight * radiance[channel];
-        tile_sums[gl_LocalInvocationIndex][2 * channel] += basis.low * share;
-        tile_sums[gl_LocalInvocationIndex][2 * channel + 1] += basis.high * share;
+        for (int i = 0; i < LIGHT_PARTS; ++i) tile_sums[gl_LocalInvocationIndex][LIGHT_PARTS * channel + i] += basis.part[i] * share;
     }
 }
 
 // The workgroup's sums of a channel; for its first three threads, after a barrier.
-ChannelMoments summed_moments(int channel) {
-    ChannelMoments sum = ChannelMoments(vec4(0.0), vec4(0.0));
-    for (int thread = 0; thread < THREADS; ++thread) {
-        sum.low += tile_sums[thread][2 * channel];
-        sum.high += tile_sums[thread][2 * channel + 1];
-    }
+Moments summed_moments(int channel) {
+    Moments sum = no_moments();
+    for (int thread = 0; thread < THREADS; ++thread)
+        for (int i = 0; i < LIGHT_PARTS; ++i) sum.part[i] += tile_sums[thread][LIGHT_PARTS * channel + i];
     return sum;
 }
 
-void store_moments(int channel, ChannelMoments sum) {
-    ChannelMoments moments = packed_moments(sum);
-    imageStore(table, tile_texel(2 * channel), moments.low);
-    imageStore(table, tile_texel(2 * channel + 1), moments.high);
+void store_moments(int channel, Moments sum) {
+    Moments moments = packed_moments(sum);
+    for (int i = 0; i < LIGHT_PARTS; ++i) imageStore(table, tile_texel(LIGHT_PARTS * channel + i), moments.part[i]);
 }
 
 #endif

@@ -25,10 +25,12 @@ vec3 terrain_irradiance(vec2 uv, vec3 normal) {
     vec3 n = terrain_axes(normal);
     vec4 a = terrain_light_tile(uv, 0), b = terrain_light_tile(uv, 1), c = terrain_light_tile(uv, 2);
     vec4 d = terrain_light_tile(uv, 3), e = terrain_light_tile(uv, 4), f = terrain_light_tile(uv, 5);
-    vec3 g = terrain_light_tile(uv, 6).rgb;
+    vec4 g = terrain_light_tile(uv, 6);
+    vec2 h = terrain_light_tile(uv, 7).ba;
+    float z2 = n.z * n.z;
     vec3 sum = a.rgb + vec3(a.a, b.rg) * n.x + vec3(b.ba, c.r) * n.y + c.gba * n.z + d.rgb * (n.x * n.y) +
-               vec3(d.a, e.rg) * (n.y * n.z) + vec3(e.ba, f.r) * (3.0 * n.z * n.z - 1.0) + f.gba * (n.x * n.z) +
-               g * (n.x * n.x - n.y * n.y);
+               vec3(d.a, e.rg) * (n.y * n.z) + vec3(e.ba, f.r) * (3.0 * z2 - 1.0) + f.gba * (n.x * n.z) +
+               g.rgb * (n.x * n.x - n.y * n.y) + vec3(g.a, h) * (z2 * (35.0 * z2 - 30.0) + 3.0);
     return max(sum, vec3(0.0));
 }
 

@@ -66,6 +66,7 @@ SHADER_NAMESPACE_END
 #define TRANSMITTANCE_HEIGHT 128 // altitude
 #define MULTIPLE_SCATTERING_WIDTH 48  // sun zenith
 #define MULTIPLE_SCATTERING_HEIGHT 24 // altitude; of each tile
-#define LIGHT_TILES 6                 // atmosphere/light_moments.glsl
+#define LIGHT_PARTS 4                  // atmosphere/light_moments.glsl
+#define LIGHT_TILES (3 * LIGHT_PARTS)
 
 #endif

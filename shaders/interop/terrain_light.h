@@ -5,8 +5,8 @@
 // elevations, a row for each height.
 // Pass `terrain_glow`: rgba32f, radiance of the terrain under sun and open sky; alpha: its height z [m].
 // `terrain_facing`: rgba16f, its normal in the map's axes.
-// Pass `terrain_light`: rgba16f in tiles one above the other, irradiance as nine spherical harmonics of three channels
-// in the map's axes; in the last tile the height as depth has it, and the mean rise of the horizon above it [m].
+// Pass `terrain_light`: rgba16f in tiles one above the other, irradiance as ten spherical harmonics of three channels
+// in the map's axes; in the last tile also the height as depth has it, and the mean rise of the horizon above it [m].
 // Pass `terrain_air`: the first three and the last of these tiles, coarser.
 // Radiance and irradiance are per unit of the sun's above the air.
 #ifndef ALPENGLOW_INTEROP_TERRAIN_LIGHT_H

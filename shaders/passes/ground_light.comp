@@ -13,9 +13,10 @@ layout(push_constant, scalar) uniform Push { GroundLightPush push; };
 
 ivec2 in_tile(ivec2 node, int tile) { return node + ivec2(0, tile * MULTIPLE_SCATTERING_HEIGHT); }
 
-ChannelMoments moments_at(sampler2D from, ivec2 node, int channel) {
-    return unpacked_moments(ChannelMoments(texelFetch(from, in_tile(node, 2 * channel), 0),
-                                           texelFetch(from, in_tile(node, 2 * channel + 1), 0)));
+Moments moments_at(sampler2D from, ivec2 node, int channel) {
+    Moments texels;
+    for (int i = 0; i < LIGHT_PARTS; ++i) texels.part[i] = texelFetch(from, in_tile(node, LIGHT_PARTS * channel + i), 0);
+    return unpacked_moments(texels);
 }
 
 void main() {
@@ -25,10 +26,9 @@ void main() {
     vec3 difference = ground_difference(atmosphere, transmittance_table, orders_table, response_table, push.albedo,
                                         push.altitude, mu_s);
     for (int channel = 0; channel < 3; ++channel) {
-        ChannelMoments light = moments_at(orders_table, node, channel);
-        ChannelMoments response = moments_at(response_table, ivec2(0, node.y), channel);
-        ChannelMoments sum = packed_moments(over_other_ground(light, response, difference[channel], mu_s));
-        imageStore(table, in_tile(node, 2 * channel), sum.low);
-        imageStore(table, in_tile(node, 2 * channel + 1), sum.high);
+        Moments light = moments_at(orders_table, node, channel);
+        Moments response = moments_at(response_table, ivec2(0, node.y), channel);
+        Moments sum = packed_moments(over_other_ground(light, response, difference[channel], mu_s));
+        for (int i = 0; i < LIGHT_PARTS; ++i) imageStore(table, in_tile(node, LIGHT_PARTS * channel + i), sum.part[i]);
     }
 }

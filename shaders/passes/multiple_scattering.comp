@@ -23,7 +23,5 @@ void main() {
     barrier();
     int channel = int(gl_LocalInvocationIndex);
     if (channel > 2) return;
-    ChannelMoments once = moments_of(first_order_table, channel), again = summed_moments(channel);
-    ChannelMoments sum = ChannelMoments(once.low + again.low, once.high + again.high);
-    store_round(channel, sum);
+    store_round(channel, sum_of(moments_of(first_order_table, channel), summed_moments(channel)));
 }

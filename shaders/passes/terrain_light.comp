@@ -14,12 +14,12 @@ layout(binding = TERRAIN_LIGHT_RESULT_SLOT, rgba16f) uniform writeonly image2D r
 const int STEPS = 20;                     // the last is 600 texels away
 const float GROWTH = 1.3, FURTHER = 0.5;  // each step is so much longer than the last [texels]
 
-// Light of one sector by the elevation, of which s is the sine and c the cosine: the sums of radiance times 1, s, c, s c and s².
+// Light of one sector by the elevation, of which s is the sine and c the cosine: the sums of radiance times 1, s, c, s c, s² and s⁴.
 struct Sector {
-    vec3 one, s, c, sc, ss;
+    vec3 one, s, c, sc, ss, s4;
 };
 
-Sector empty_sector() { return Sector(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0)); }
+Sector empty_sector() { return Sector(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0)); }
 
 // Radiance between the sines of two elevations.
 void add_light(inout Sector sector, vec3 radiance, float low, float high) {
@@ -30,6 +30,7 @@ void add_light(inout Sector sector, vec3 radiance, float low, float high) {
     sector.c += light * c;
     sector.sc += light * (s * c);
     sector.ss += light * (s * s);
+    sector.s4 += light * (s * s * s * s);
 }
 
 struct Horizon {
@@ -68,16 +69,18 @@ void add_sky(inout Sector sector, float horizon, int azimuth, float v) {
     } while (++band < TERRAIN_BANDS);
 }
 
-// Irradiance on a surface of normal n: the sum of light[i] times 1, x, y, z, x y, y z, 3 z² - 1, x z, x² - y². Each holds
-// the squared norm of its harmonic and the cosine lobe's share of its degree, pi, 2/3 pi and pi/4
-// (Ramamoorthi and Hanrahan 2001, Eqs. 3 and 8).
-const float DEGREE_0 = 0.25, DEGREE_1 = 0.5, DEGREE_2 = 15.0 / 16.0, ZONAL_2 = 5.0 / 64.0, SECTOR_2 = 15.0 / 64.0;
+// Irradiance on a surface of normal n: the sum of light[i] times 1, x, y, z, x y, y z, 3 z² - 1, x z, x² - y² and
+// 35 z⁴ - 30 z² + 3. Each holds the squared norm of its harmonic and the cosine lobe's share of its degree, pi, 2/3 pi, pi/4 and
+// -pi/24 (Ramamoorthi and Hanrahan 2001, Eqs. 3 and 8). Of degree 4 only this one, for a bright horizon all round.
+const float DEGREE_0 = 0.25, DEGREE_1 = 0.5, DEGREE_2 = 15.0 / 16.0, ZONAL_2 = 5.0 / 64.0, SECTOR_2 = 15.0 / 64.0, ZONAL_4 = -3.0 / 2048.0;
+const int COEFFICIENTS = 10;
 
 void main() {
     ivec2 at = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(at, ivec2(frame.terrain.size)))) return;
     float z = texelFetch(glow_image, at, 0).a, depth = clamp((z - frame.terrain.bottom) / frame.terrain.range, 0.0, 1.0);
-    vec3 light[9] = vec3[](vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
+    vec3 light[COEFFICIENTS];
+    for (int i = 0; i < COEFFICIENTS; ++i) light[i] = vec3(0.0);
     float rim = 0.0;
     int azimuth = 0;
     do {
@@ -95,8 +98,9 @@ void main() {
         light[6] += ZONAL_2 * (3.0 * sector.ss - sector.one);
         light[7] += DEGREE_2 * d.x * sector.sc;
         light[8] += SECTOR_2 * (d.x * d.x - d.y * d.y) * (sector.one - sector.ss);
+        light[9] += ZONAL_4 * (35.0 * sector.s4 - 30.0 * sector.ss + 3.0 * sector.one);
     } while (++azimuth < TERRAIN_AZIMUTHS);
-    for (int i = 0; i < 9; ++i) light[i] *= 2.0 * PI / float(TERRAIN_AZIMUTHS);
+    for (int i = 0; i < COEFFICIENTS; ++i) light[i] *= 2.0 * PI / float(TERRAIN_AZIMUTHS);
     ivec2 tile = ivec2(0, frame.terrain.size);
     imageStore(result, at, vec4(light[0], light[1].r));
     imageStore(result, at + tile, vec4(light[1].gb, light[2].rg));
@@ -104,6 +108,6 @@ void main() {
     imageStore(result, at + 3 * tile, vec4(light[4], light[5].r));
     imageStore(result, at + 4 * tile, vec4(light[5].gb, light[6].rg));
     imageStore(result, at + 5 * tile, vec4(light[6].b, light[7]));
-    imageStore(result, at + 6 * tile, vec4(light[8], 0.0));
-    imageStore(result, at + 7 * tile, vec4(depth, rim, 0.0, 0.0));
+    imageStore(result, at + 6 * tile, vec4(light[8], light[9].r));
+    imageStore(result, at + 7 * tile, vec4(depth, rim, light[9].gb));
 }

@@ -39,17 +39,23 @@ float largest_difference(std::vector<glm::vec4> const& a, std::vector<glm::vec4>
     return largest;
 }
 
+/// Per unit of sunlight [1/sr]; a starlit sky has a million times as much. Deeper in the planet's shadow light has come a longer way than
+/// the rounds carry it.
+constexpr float DARKEST = 1e-15f;
+
 /// The largest difference of a node's texels, in a table of moments and summed anew: relative in the mean, absolute in what is
 /// relative to it.
 float largest_difference(std::vector<glm::vec4> const& table, std::size_t node, NodeMoments const& sums) {
     float largest = 0;
     for (std::size_t channel = 0; channel < 3; ++channel) {
-        shader::ChannelMoments const packed = shader::packed_moments(sums[channel]);
-        glm::vec4 const low = glm::abs(table[2 * channel * LightTable::nodes() + node] - packed.low) * glm::vec4(32, 1, 1, 1);
-        glm::vec4 const high = glm::abs(table[(2 * channel + 1) * LightTable::nodes() + node] - packed.high);
-        if (sums[channel].low.x < 1e-20f) continue; // night
-        for (int i = 0; i < 4; ++i) largest = std::max({largest, low[i], high[i]});
-        if (!std::isfinite(glm::dot(low, high))) return INFINITY;
+        shader::Moments const packed = shader::packed_moments(sums[channel]);
+        if (sums[channel].part[0].x < DARKEST) continue;
+        for (std::size_t part = 0; part < LIGHT_PARTS; ++part) {
+            glm::vec4 const texel = table[(LIGHT_PARTS * channel + part) * LightTable::nodes() + node];
+            glm::vec4 const difference = glm::abs(texel - packed.part[part]) * glm::vec4(part == 0 ? 32 : 1, 1, 1, 1);
+            for (int i = 0; i < 4; ++i) largest = std::max(largest, difference[i]);
+            if (!std::isfinite(glm::dot(difference, glm::vec4(1)))) return INFINITY;
+        }
     }
     return largest;
 }
@@ -77,7 +83,7 @@ TEST_P(AirTablesOnGpu, are_those_that_cpp_computes_and_a_fixed_point) {
         NodeMoments const again = gather_moments(air_, shader::HIGHER_ORDER_RAYS, place, [&](shader::AirRay const& ray) {
             return shader::scattered_light(air_, light, ray, shader::HIGHER_ORDER_RAYS.cells);
         });
-        for (std::size_t c = 0; c < 3; ++c) sums[c].low += again[c].low, sums[c].high += again[c].high;
+        for (std::size_t c = 0; c < 3; ++c) sums[c] = shader::sum_of(sums[c], again[c]);
         EXPECT_LT(largest_difference(moments, node, sums), CONVERGED) << place.x << " m, " << place.y;
     }
 }

@@ -23,8 +23,10 @@ struct Tables {
     shader::sampler2D response_table() const { return {1, LIGHT_TILES * MULTIPLE_SCATTERING_HEIGHT, response.data()}; }
 };
 
-shader::ChannelMoments moments_at(std::vector<glm::vec4> const& table, std::size_t nodes, std::size_t node, std::size_t channel) {
-    return shader::unpacked_moments({table[2 * channel * nodes + node], table[(2 * channel + 1) * nodes + node]});
+shader::Moments moments_at(std::vector<glm::vec4> const& table, std::size_t nodes, std::size_t node, std::size_t channel) {
+    shader::Moments texels{};
+    for (std::size_t i = 0; i < LIGHT_PARTS; ++i) texels.part[i] = table[(LIGHT_PARTS * channel + i) * nodes + node];
+    return shader::unpacked_moments(texels);
 }
 
 class GroundLight : public RenderTest {
@@ -39,7 +41,7 @@ protected:
     std::vector<glm::vec4> table(char const* name) { return values_of<glm::vec4>(renderer().image_bytes(name)); }
 };
 
-shader::ChannelMoments moved(Tables const& from, std::size_t node, std::size_t channel, glm::vec3 const& albedo, float altitude) {
+shader::Moments moved(Tables const& from, std::size_t node, std::size_t channel, glm::vec3 const& albedo, float altitude) {
     float const mu_s = LightTable::place(from.air, node).y;
     glm::vec3 const difference = shader::ground_difference(from.air, from.transmittance_table(), from.orders_table(),
                                                            from.response_table(), albedo, altitude, mu_s);
@@ -55,8 +57,8 @@ float largest_error(Tables const& from, Tables const& solved, float albedo, floa
         glm::vec2 const place = LightTable::place(from.air, node);
         if (place.x > highest || place.y < lowest_sun || place.y > highest_sun) continue;
         for (std::size_t channel = 0; channel < 3; ++channel) {
-            float const found = moved(from, node, channel, glm::vec3(albedo), 0).low.x;
-            float const expected = moments_at(solved.orders, LightTable::nodes(), node, channel).low.x;
+            float const found = moved(from, node, channel, glm::vec3(albedo), 0).part[0].x;
+            float const expected = moments_at(solved.orders, LightTable::nodes(), node, channel).part[0].x;
             largest = std::max(largest, std::abs(found / expected - 1));
         }
     }
@@ -89,9 +91,9 @@ protected:
                 return shader::light_over_bright_ground(tables.air, tables.response_table(), ray, shader::GROUND_RESPONSE_RAYS.cells, false);
             });
             for (std::size_t channel = 0; channel < 3; ++channel) {
-                shader::ChannelMoments const held = moments_at(tables.response, ResponseTable::ROWS, std::size_t(row), channel);
-                EXPECT_NEAR(again[channel].low.x / held.low.x, 1, 0.002) << node.x;
-                EXPECT_NEAR(again[channel].low.y / held.low.x, held.low.y / held.low.x, 0.002) << node.x;
+                shader::Moments const held = moments_at(tables.response, ResponseTable::ROWS, std::size_t(row), channel);
+                EXPECT_NEAR(again[channel].part[0].x / held.part[0].x, 1, 0.002) << node.x;
+                EXPECT_NEAR(again[channel].part[0].y / held.part[0].x, held.part[0].y / held.part[0].x, 0.002) << node.x;
             }
         }
     }
@@ -114,9 +116,9 @@ protected:
         EXPECT_LT(ground.albedo.z, 0.15f);
         for (std::size_t node = 0; node < LightTable::nodes(); node += 7)
             for (std::size_t channel = 0; channel < 3; ++channel) {
-                float const expected = moved(from, node, channel, ground.albedo, ground.altitude).low.x;
+                float const expected = moved(from, node, channel, ground.albedo, ground.altitude).part[0].x;
                 if (expected < 1e-15f) continue; // night
-                EXPECT_NEAR(moments_at(found, LightTable::nodes(), node, channel).low.x / expected, 1, 1e-4) << node;
+                EXPECT_NEAR(moments_at(found, LightTable::nodes(), node, channel).part[0].x / expected, 1, 1e-4) << node;
             }
         renderer().set_scene(nullptr, {}, stand.planet.radius);
     }

@@ -71,7 +71,7 @@ TEST_F(SpreadSwitches, make_each_workgroup_once_over_frames_that_show_all_but_th
         for (auto const& [pass, groups] : groups_made()) made[pass] += groups;
     }
     EXPECT_LE(difference(flying_.picture(), drawn_at_once("tables")), 1);
-    std::vector<AirTableStep> const& steps = air_model("tables").steps;
+    std::vector<AirTableStep> const& steps = air_model("tables").steps({});
     EXPECT_GE(frames, 2 * int(steps.size())) << "of a pass of unknown cost, one group runs by itself";
     for (AirTableStep const& step : steps) EXPECT_EQ(made[step.pass], step.groups) << step.pass;
     EXPECT_EQ(flying_.pipelines_missed(), missed_);

@@ -1,4 +1,5 @@
 #include "render/air_table_schedule.h"
+#include "render/atmosphere_constants.h"
 #include "render/models/models.h"
 #include "support/render_test.h"
 
@@ -27,7 +28,7 @@ protected:
         renderer().draw(world_, settings_, EXTENT);
         renderer().wait();
     }
-    std::vector<AirTableStep> const& steps() const { return air_model(GetParam()).steps; }
+    std::vector<AirTableStep> const& steps() const { return air_model(GetParam()).steps(atmosphere_of(world_.planet)); }
     /// The table whose states are seen until it is whole. A fifth of the work of `march` does for its coarse orders, which
     /// are made by steps of every kind; long tests go on to its last table.
     std::string watched() const {

@@ -53,8 +53,8 @@ inline Table make_transmittance_table(shader::Atmosphere const& air) {
             }};
 }
 
-/// Eight moments of the light at a node, each channel's low degrees and high ones.
-using NodeMoments = std::array<shader::ChannelMoments, 3>;
+/// Moments of the light at a node, of each channel.
+using NodeMoments = std::array<shader::Moments, 3>;
 
 /// The sum over a node's directions, as a workgroup of the passes makes it. `light(ray)` is the radiance along a ray.
 template <typename Light>
@@ -64,11 +64,9 @@ NodeMoments gather_moments(shader::Atmosphere const& air, shader::GatherRays ray
         shader::GatherDirection const d = shader::gather_direction(air, rays, node.x, node.y, i);
         glm::vec3 const radiance =
             light(shader::make_air_ray(air.ground_radius, node.x, d.mu, node.y, d.sunward.nu)) * d.weight;
-        shader::MomentBasis const basis = shader::moment_basis(d.sunward);
-        for (int channel = 0; channel < 3; ++channel) {
-            sum[std::size_t(channel)].low += basis.low * radiance[channel];
-            sum[std::size_t(channel)].high += basis.high * radiance[channel];
-        }
+        shader::Moments const basis = shader::moment_basis(d.sunward);
+        for (int channel = 0; channel < 3; ++channel)
+            sum[std::size_t(channel)] = shader::sum_of(sum[std::size_t(channel)], shader::scaled(basis, radiance[channel]));
     }
     return sum;
 }
@@ -91,7 +89,7 @@ public:
             NodeMoments const again = gather_moments(air, higher, place(air, i), [&](shader::AirRay const& ray) {
                 return shader::scattered_light(air, sampler(), ray, higher.cells);
             });
-            for (std::size_t c = 0; c < 3; ++c) sums[i][c].low += again[c].low, sums[i][c].high += again[c].high;
+            for (std::size_t c = 0; c < 3; ++c) sums[i][c] = shader::sum_of(sums[i][c], again[c]);
         }
         for (std::size_t i = 0; i < nodes(); ++i) store(i, sums[i]);
     }
@@ -111,9 +109,8 @@ public:
 private:
     void store(std::size_t node, NodeMoments const& moments) {
         for (std::size_t c = 0; c < 3; ++c) {
-            shader::ChannelMoments const packed = shader::packed_moments(moments[c]);
-            texels_[2 * c * nodes() + node] = packed.low;
-            texels_[(2 * c + 1) * nodes() + node] = packed.high;
+            shader::Moments const packed = shader::packed_moments(moments[c]);
+            for (std::size_t i = 0; i < LIGHT_PARTS; ++i) texels_[(LIGHT_PARTS * c + i) * nodes() + node] = packed.part[i];
         }
     }
     std::vector<NodeMoments> first_order_;

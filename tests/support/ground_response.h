@@ -26,14 +26,13 @@ private:
         NodeMoments sum = gather_moments(air, rays, node, [&](shader::AirRay const& ray) {
             return shader::light_over_bright_ground(air, sampler(), ray, rays.cells, first);
         });
-        for (shader::ChannelMoments& channel : sum) channel = shader::zonal_moments(channel);
+        for (shader::Moments& channel : sum) channel = shader::zonal_moments(channel);
         return sum;
     }
     void store(std::size_t row, NodeMoments const& moments) {
         for (std::size_t c = 0; c < 3; ++c) {
-            shader::ChannelMoments const packed = shader::packed_moments(moments[c]);
-            texels_[2 * c * ROWS + row] = packed.low;
-            texels_[(2 * c + 1) * ROWS + row] = packed.high;
+            shader::Moments const packed = shader::packed_moments(moments[c]);
+            for (std::size_t i = 0; i < LIGHT_PARTS; ++i) texels_[(LIGHT_PARTS * c + i) * ROWS + row] = packed.part[i];
         }
     }
     std::vector<glm::vec4> texels_;

@@ -11,11 +11,10 @@ using namespace alpenglow::shader;
 namespace {
 
 /// A table that is the same at all nodes.
-test::Table table_of(std::array<ChannelMoments, 3> const& sums) {
+test::Table table_of(std::array<Moments, 3> const& sums) {
     return {1, LIGHT_TILES * MULTIPLE_SCATTERING_HEIGHT, [&](vec2 uv) {
                 int const tile = int(uv.y * LIGHT_TILES);
-                ChannelMoments const packed = packed_moments(sums[std::size_t(tile / 2)]);
-                return tile % 2 == 0 ? packed.low : packed.high;
+                return packed_moments(sums[std::size_t(tile / LIGHT_PARTS)]).part[tile % LIGHT_PARTS];
             }};
 }
 
@@ -34,36 +33,40 @@ SunwardDirection sunward(double nu, double azimuth) {
     return {float(nu), float(std::sqrt(1 - nu * nu) * std::cos(azimuth))};
 }
 
-double component(MomentBasis const& basis, int i) { return i < 4 ? basis.low[i] : basis.high[i - 4]; }
-
-constexpr std::array<int, LIGHT_MOMENTS> DEGREE = {0, 1, 1, 2, 2, 2, 3, 4};
+/// Where the moments stand: degrees 0 to 4, each with m from 0 on.
+constexpr std::array<std::array<int, 2>, 15> PLACES{
+    {{0, 0}, {0, 1}, {0, 2}, {1, 0}, {1, 1}, {1, 2}, {2, 0}, {2, 1}, {2, 2}, {2, 3}, {0, 3}, {3, 0}, {1, 3}, {3, 1}, {3, 2}}};
+float component(Moments const& moments, std::size_t i) { return moments.part[PLACES[i][0]][PLACES[i][1]]; }
 
 /// Light with the moments 1, 0.3, 0.2, ... : nowhere below 0.
-constexpr std::array<float, LIGHT_MOMENTS> SOME_LIGHT = {1, 0.3f, 0.2f, 0.1f, -0.1f, 0.05f, 0.05f, -0.04f};
+constexpr std::array<float, PLACES.size()> SOME_LIGHT = {1,     0.3f,   0.2f,  0.1f,   -0.1f, 0.05f,  0.05f, 0.04f,
+                                                         -0.03f, 0.02f, -0.04f, 0.03f, 0.02f, -0.03f, 0.04f};
 
-ChannelMoments some_moments(float scale) {
-    auto const& m = SOME_LIGHT;
-    return {vec4(m[0], m[1], m[2], m[3]) * scale, vec4(m[4], m[5], m[6], m[7]) * scale};
+Moments some_moments(float scale) {
+    Moments moments = no_moments();
+    for (std::size_t i = 0; i < PLACES.size(); ++i) moments.part[PLACES[i][0]][PLACES[i][1]] = SOME_LIGHT[i] * scale;
+    return moments;
 }
 
 double some_radiance(double nu, double azimuth) {
-    MomentBasis const basis = moment_basis(sunward(nu, azimuth));
+    Moments const basis = moment_basis(sunward(nu, azimuth));
     double sum = 0;
-    for (int i = 0; i < LIGHT_MOMENTS; ++i) sum += SOME_LIGHT[std::size_t(i)] * component(basis, i);
+    for (std::size_t i = 0; i < PLACES.size(); ++i) sum += SOME_LIGHT[i] * component(basis, i);
     return sum;
 }
 
 } // namespace
 
 TEST(LightMoments, the_basis_is_orthonormal) {
-    for (int i = 0; i < LIGHT_MOMENTS; ++i)
-        for (int j = 0; j <= i; ++j) {
+    for (std::size_t i = 0; i < PLACES.size(); ++i)
+        for (std::size_t j = 0; j <= i; ++j) {
             double const mean = mean_over_sphere([&](double nu, double azimuth) {
-                MomentBasis const basis = moment_basis(sunward(nu, azimuth));
+                Moments const basis = moment_basis(sunward(nu, azimuth));
                 return component(basis, i) * component(basis, j);
             });
             EXPECT_NEAR(mean, i == j ? 1 : 0, 1e-5) << i << " " << j;
         }
+    EXPECT_EQ(moment_basis(sunward(0.3, 0.8)).part[3].w, 0) << "there are fifteen";
 }
 
 // Against vectors: x is the sun's azimuth, z the zenith.
@@ -89,20 +92,20 @@ TEST(LightMoments, a_sun_at_the_zenith_leaves_no_trace_of_the_azimuth) {
 
 TEST(LightMoments, tiles_hold_what_was_packed) {
     for (float const scale : {3.0f, 1e-3f, 1e-12f}) {
-        ChannelMoments const given = some_moments(scale), back = unpacked_moments(packed_moments(given));
-        for (int i = 0; i < 4; ++i) {
-            EXPECT_NEAR(back.low[i], given.low[i], 1e-5f * scale); // 32 times the rounding of the root
-            EXPECT_NEAR(back.high[i], given.high[i], 1e-5f * scale);
-        }
+        Moments const given = some_moments(scale), back = unpacked_moments(packed_moments(given));
+        for (std::size_t i = 0; i < PLACES.size(); ++i)
+            EXPECT_NEAR(component(back, i), component(given, i), 1e-5f * scale); // 32 times the rounding of the root
     }
-    ChannelMoments const nothing = packed_moments({vec4(0), vec4(0)});
-    EXPECT_TRUE(std::isfinite(nothing.low.x) && nothing.high == vec4(0));
+    Moments const nothing = packed_moments(no_moments());
+    EXPECT_TRUE(std::isfinite(nothing.part[0].x) && nothing.part[1] == vec4(0));
 }
 
 // Uniform light of radiance L gives pi L to every surface. Light of degrees 0, 1, 2 and 4 gives the integral of its
 // cosine; degree 3 gives nothing.
 TEST(LightMoments, irradiance_meets_the_integral_over_the_hemisphere) {
-    test::Table const light = table_of({some_moments(1), some_moments(1e-3f), {vec4(2, 0, 0, 0), vec4(0)}});
+    Moments even = no_moments();
+    even.part[0].x = 2;
+    test::Table const light = table_of({some_moments(1), some_moments(1e-3f), even});
     Atmosphere const air = test::earth_air();
     double const sun = 0.4;
     for (double const tilt : {0.0, 0.9, 1.7, 3.0})
@@ -130,7 +133,6 @@ TEST(LightMoments, irradiance_meets_the_integral_over_the_hemisphere) {
 
 // A medium's scattered light is the light folded with its phase (Funk and Hecke). Rayleigh's phase knows degrees 0 and 2.
 TEST(LightMoments, scattered_light_meets_the_integral_over_the_phase) {
-    std::array<float, LIGHT_MOMENTS> const& m = SOME_LIGHT;
     PhaseMoments const rayleigh = {{1, 0, 0.1f, 0, 0}};
     double const nu = 0.3, azimuth = 0.8;
     dvec3 const out(std::sqrt(1 - nu * nu) * std::cos(azimuth), std::sqrt(1 - nu * nu) * std::sin(azimuth), nu);
@@ -141,22 +143,21 @@ TEST(LightMoments, scattered_light_meets_the_integral_over_the_phase) {
     test::Table const node = table_of({some_moments(1), some_moments(1), some_moments(1)});
     LightMoments const light = sample_light_moments(node.sampler(), test::earth_air(), 0, 0.4f);
     vec3 const found = scattered_gain(rayleigh, light_by_degree(light, sunward(nu, azimuth)));
-    EXPECT_NEAR(found.x, exact / m[0], 1e-5);
+    EXPECT_NEAR(found.x, exact / SOME_LIGHT[0], 1e-5);
 }
 
 // Even light of which a share comes from the sun's own direction: without that share a phase's series scatters the even rest alone.
 TEST(LightMoments, the_glow_is_what_comes_from_around_the_sun) {
     constexpr float SHARE = 0.3f;
     LightMoments light{};
-    light.along = vec3(SHARE * std::sqrt(3.0f)), light.along2 = vec3(SHARE * std::sqrt(5.0f));
-    light.along3 = vec3(SHARE * std::sqrt(7.0f)), light.along4 = vec3(SHARE * 3);
+    for (Moments& channel : light.channel) channel = scaled(sun_basis(), SHARE);
     EXPECT_NEAR(glow_share(light).x, SHARE, 1e-6);
     PhaseMoments const forward = {{0.67f, 0.43f, 0.25f, 0.12f, 0.05f}};
     for (double const nu : {1.0, 0.8, 0.3}) {
         float const gain = scattered_gain(forward, light_by_degree(light, sunward(nu, 0.8))).x;
         EXPECT_NEAR(gain - SHARE * phase_series(forward, float(nu)), (1 - SHARE) * forward.degree[0], 1e-5) << nu;
     }
-    light.along4 = vec3(-0.1f);
+    light.channel[0].part[0].w = -0.1f;
     EXPECT_EQ(glow_share(light).x, 0);
 }
 
@@ -178,7 +179,7 @@ TEST(GatherRays, cover_all_directions_once) {
 }
 
 TEST(LightMoments, a_narrow_lobe_sees_the_radiance_and_the_widest_nearly_what_a_wall_does) {
-    std::array<ChannelMoments, 3> const sums = {some_moments(1), some_moments(1), some_moments(1)};
+    std::array<Moments, 3> const sums = {some_moments(1), some_moments(1), some_moments(1)};
     test::Table const table = table_of(sums);
     Atmosphere const air = test::earth_air();
     LightMoments const around = sample_light_moments(table.sampler(), air, 100, 0.5f);

@@ -1,11 +1,14 @@
 #include "interop/models/march.h"
 
+#include "atmosphere/optical_depth.glsl"
 #include "interop/ground_light.h"
 #include "interop/multiple_scattering.h"
 #include "render/models/model.h"
 #include "render/passes/transmittance.h"
 
 #include <embedded_shaders.h>
+
+#include <algorithm>
 
 namespace alpenglow {
 
@@ -25,10 +28,12 @@ constexpr Extent NODES{MULTIPLE_SCATTERING_WIDTH, MULTIPLE_SCATTERING_HEIGHT};
 constexpr Extent COARSE_NODES{NODES.width / 2, NODES.height / 2};
 constexpr Extent RESPONSE_NODES{1, NODES.height};
 
-/// Orders of scattering behind the first that are added on a quarter of the nodes, and then on all; and how often the orders
-/// to come are added as a geometric series. An order is worth 0.4 of the last on Earth, 0.85 on the dense planet, where
-/// coarse nodes are off by up to a sixth.
-constexpr int COARSE_ROUNDS = 12, ROUNDS = 12, EXTRAPOLATION = 6;
+/// Orders of scattering behind the first that are added on a quarter of the nodes, and as many on all; and how often the orders
+/// to come are added as a geometric series. An order is worth 0.4 of the last on Earth, whose table is within 0.01 % of the
+/// limit then; 0.85 on the dense planet, where coarse nodes are off by up to a sixth.
+constexpr int ROUNDS = 6, ROUNDS_IN_THICK_AIR = 12, EXTRAPOLATION = 6;
+/// Optical depth up to the zenith.
+constexpr float THICK_AIR = 1;
 /// And of the light of bright ground, the last without what is to come.
 constexpr int RESPONSE_ROUNDS = 19;
 
@@ -68,18 +73,24 @@ AirTableStep response_step(int round) {
 }
 
 /// All orders on a quarter of the nodes first: what they are off by is smooth, and little is left to do for the rest.
-std::vector<AirTableStep> make_steps() {
+std::vector<AirTableStep> make_steps(int rounds) {
     std::vector<AirTableStep> steps{transmittance_step(TRANSMITTANCE),
                                     first_order_step("coarse_first_order", COARSE_FIRST_ORDER, COARSE_NODES)};
-    for (int round = 1; round <= COARSE_ROUNDS; ++round)
+    for (int round = 1; round <= rounds; ++round)
         steps.push_back(order_step("coarse_orders", COARSE_FIRST_ORDER, round == 1 ? COARSE_FIRST_ORDER : COARSE_ORDERS,
                                    COARSE_ORDERS, COARSE_NODES, round % EXTRAPOLATION == 0));
     for (int round = 0; round <= RESPONSE_ROUNDS; ++round) steps.push_back(response_step(round));
     steps.push_back(first_order_step("first_order", FIRST_ORDER, NODES));
-    for (int round = 1; round <= ROUNDS; ++round)
+    for (int round = 1; round <= rounds; ++round)
         steps.push_back(order_step("multiple_scattering", FIRST_ORDER, round == 1 ? COARSE_ORDERS : ORDERS, ORDERS,
                                    NODES, round % EXTRAPOLATION == 0));
     return steps;
+}
+
+std::vector<AirTableStep> const& steps(shader::Atmosphere const& air) {
+    static std::vector<AirTableStep> const STEPS = make_steps(ROUNDS), IN_THICK_AIR = make_steps(ROUNDS_IN_THICK_AIR);
+    glm::vec3 const depth = shader::compute_optical_depth_to_top(air, 0, 1);
+    return std::max({depth.r, depth.g, depth.b}) > THICK_AIR ? IN_THICK_AIR : STEPS;
 }
 
 /// The table of all orders over that ground: of this frame, made from the planet's, whose own it is where that is the
@@ -136,7 +147,7 @@ AirModel make_march() {
                        {"coarse_orders", moments_size(COARSE_NODES), ShowScale::logarithm},
                        {"first_order", moments_size(NODES), ShowScale::logarithm},
                        {"multiple_scattering", moments_size(NODES), ShowScale::logarithm}},
-            .steps = make_steps(),
+            .steps = steps,
             .slots = model_slots,
             .sky = sky_tables,
             .air_variant = air_variant,

@@ -42,6 +42,9 @@ struct AirTableInputs {
     std::vector<ImageId> tables; ///< the model's, finished, in its order
 };
 
+/// What makes no tables.
+std::vector<AirTableStep> const& no_steps(shader::Atmosphere const& air);
+
 /// A way to light the air. One file in this folder declares it, one file in shaders/models computes it, and
 /// `air_models` lists it: docs/adding_a_model.md.
 struct AirModel {
@@ -49,7 +52,8 @@ struct AirModel {
     std::string_view help;
     ShaderCode air, air_repair, lighting; ///< the passes with shaders/models/NAME.glsl in them
     std::vector<AirTable> tables{};    ///< what it keeps from frame to frame
-    std::vector<AirTableStep> steps{}; ///< that make them, in order, when the air changes
+    /// That make them, in order, when the air changes; of one of the model's lists of steps, which all have the same passes.
+    std::vector<AirTableStep> const& (*steps)(shader::Atmosphere const& air) = no_steps;
     /// Gives what these passes bind behind their own slots, numbered from AIR_MODEL_SLOT on, and declares the
     /// passes that fill tables of this frame's view.
     std::vector<Slot> (*slots)(FrameGraph& graph, AirTableInputs const& inputs);

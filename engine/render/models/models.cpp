@@ -17,6 +17,11 @@ std::span<AirModel const> air_models() {
     return MODELS;
 }
 
+std::vector<AirTableStep> const& no_steps(shader::Atmosphere const&) {
+    static std::vector<AirTableStep> const NONE;
+    return NONE;
+}
+
 AirModel const& air_model(std::string_view name) {
     std::span<AirModel const> const models = air_models();
     auto const found = std::ranges::find(models, name, &AirModel::name);
@@ -30,7 +35,7 @@ std::set<std::string> const& table_passes() {
     static auto const NAMES = [] {
         std::set<std::string> names;
         for (AirModel const& model : air_models()) {
-            for (AirTableStep const& step : model.steps) names.insert(step.pass);
+            for (AirTableStep const& step : model.steps({})) names.insert(step.pass);
         }
         return names;
     }();

@@ -55,6 +55,14 @@ std::string_view limits(World const& world, Settings const& settings, bool meshe
                                      : std::string_view();
 }
 
+std::vector<AirTableStep> const& steps(shader::Atmosphere const&) {
+    static std::vector<AirTableStep> const STEPS{
+        transmittance_step(TRANSMITTANCE),
+        step_for("isotropic_scattering", shaders::isotropic_scattering_comp, ISOTROPIC, {ISOTROPIC_SIZE, ISOTROPIC_SIZE}),
+        step_for("sky_light", shaders::sky_light_comp, SKY_LIGHT, {SKY_LIGHT_WIDTH, SKY_LIGHT_HEIGHT})};
+    return STEPS;
+}
+
 } // namespace
 
 AirModel make_tables() {
@@ -66,10 +74,7 @@ AirModel make_tables() {
             .tables = {{"transmittance", {TRANSMITTANCE_WIDTH, TRANSMITTANCE_HEIGHT}, ShowScale::optical_depth},
                        {"isotropic_scattering", {ISOTROPIC_SIZE, ISOTROPIC_SIZE}, ShowScale::logarithm},
                        {"sky_light", {SKY_LIGHT_WIDTH, SKY_LIGHT_HEIGHT}, ShowScale::logarithm}},
-            .steps = {transmittance_step(TRANSMITTANCE),
-                      step_for("isotropic_scattering", shaders::isotropic_scattering_comp, ISOTROPIC,
-                               {ISOTROPIC_SIZE, ISOTROPIC_SIZE}),
-                      step_for("sky_light", shaders::sky_light_comp, SKY_LIGHT, {SKY_LIGHT_WIDTH, SKY_LIGHT_HEIGHT})},
+            .steps = steps,
             .slots = model_slots,
             .limits = limits};
 }

@@ -26,7 +26,7 @@ private:
     void import(std::size_t index);
     void make(StepSlice const& slice);
     bool ends(StepSlice const& slice) const {
-        return slice.first + slice.count == air_.model.steps[slice.step].groups;
+        return slice.first + slice.count == air_.steps[slice.step].groups;
     }
 
     FrameGraph& graph_;
@@ -43,7 +43,7 @@ void Maker::import(std::size_t index) {
     std::size_t last = kept.finished;
     bool is_made = false;
     for (StepSlice const& slice : air_.slices) {
-        if (air_.model.steps[slice.step].makes.table != index) continue;
+        if (air_.steps[slice.step].makes.table != index) continue;
         is_made = true;
         if (ends(slice)) last = 1 - last;
     }
@@ -57,7 +57,7 @@ void Maker::import(std::size_t index) {
 }
 
 void Maker::make(StepSlice const& slice) {
-    AirTableStep const& step = air_.model.steps[slice.step];
+    AirTableStep const& step = air_.steps[slice.step];
     Twofold& made = tables_[step.makes.table];
     ImageId const target = made.images[1 - made.finished];
     std::vector<Slot> slots{constants(FRAME_SLOT, frame_), step.updates ? updated(step.makes.slot, target)
