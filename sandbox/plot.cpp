@@ -10,7 +10,7 @@ namespace alpenglow {
 
 namespace {
 
-constexpr double PANEL = 300, HEIGHT = 260, LEFT = 62, TOP = 34, GAP = 22, BOTTOM = 74; // [px]
+constexpr double PANEL = 300, HEIGHT = 260, LEFT = 80, TOP = 34, GAP = 22, BOTTOM = 74; // [px]
 constexpr std::array COLORS{"#c0392b", "#2471a3", "#7d8a2e", "#8e44ad", "#d68910", "#148f77"};
 
 /// A logarithmic axis from `least` to `most`, on `length` pixels.

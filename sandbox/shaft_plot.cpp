@@ -36,7 +36,7 @@ PlotPanel shaft_panel(Stage& stage, ShaftCase const& given) {
 void write_shaft_plot(std::filesystem::path const& file, std::span<PlotPanel const> panels, Extent size,
                       std::string const& device) {
     write_text_file(file, svg_plot(panels, fmt::format("milliseconds of the air, {}x{}, {}", size.width, size.height, device),
-                                   "mean HDR FLIP against exact shafts, where shafts are"));
+                                   "mean HDR FLIP where shafts are"));
 }
 
 } // namespace alpenglow

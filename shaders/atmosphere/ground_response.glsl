@@ -40,7 +40,7 @@ INLINE vec3 light_over_bright_ground(IN(Atmosphere) atmosphere, sampler2D respon
 INLINE Moments zonal_moments(Moments sum) {
     Moments zonal = no_moments();
     zonal.part[0] = vec4(sum.part[0].x, sum.part[0].y, 0.0f, sum.part[0].w);
-    zonal.part[1].x = sum.part[1].x;
+    zonal.part[1] = vec4(sum.part[1].x, 0.0f, 0.0f, sum.part[1].w);
     zonal.part[2].x = sum.part[2].x;
     return zonal;
 }
@@ -52,7 +52,7 @@ INLINE Moments turned_to_sun(Moments zonal, float mu_s) {
     float first = zonal.part[0].y * 0.577350269f, second = zonal.part[1].x * 0.447213595f; // over the root of 2 l + 1
     float third = zonal.part[2].x * 0.377964473f, fourth = zonal.part[0].w / 3.0f;
     turned.part[0] *= vec4(zonal.part[0].x, first, first, fourth);
-    turned.part[1] *= vec4(second, second, second, fourth);
+    turned.part[1] = vec4(turned.part[1].x * second, turned.part[1].y * second, turned.part[1].z * second, zonal.part[1].w);
     turned.part[2] *= third;
     turned.part[3] *= fourth;
     return turned;

@@ -25,11 +25,14 @@ INLINE SunwardDirection sunward_direction(float mu, float mu_s, float nu) {
     return SunwardDirection(nu, clamp((mu - nu * mu_s) / sin_sun, -side, side));
 }
 
-// A number for each B_i: degrees 0, 1, 1 and 4, then 2, 2, 2 and 4, all of 3, and 4, 4, 4 and nothing. In each degree by rising
-// multiples of the azimuth, but for degree 4, where they are 0, 2, 1, 3 and 4.
+// A number for each B_i, and one more: degrees 0, 1, 1 and 4, then 2, 2, 2 and the sixteenth, all of 3, the rest of 4; in each degree
+// by rising multiples of the azimuth. The sixteenth is the moment of the harmonic of degree 4 around the zenith, which the others of
+// that degree imply: with it the first SURFACE_PARTS know what surfaces ask for.
 struct Moments {
     vec4 part[LIGHT_PARTS];
 };
+
+CONSTANT int SURFACE_PARTS = 3;
 
 INLINE Moments no_moments() {
     Moments none;
@@ -47,15 +50,21 @@ INLINE Moments scaled(Moments a, float scale) {
     return a;
 }
 
-// The B_i of a direction.
+// The harmonic of degree 4 around an axis, at this cosine.
+INLINE float zonal4(float cosine) {
+    float square = cosine * cosine;
+    return 0.375f * (square * (35.0f * square - 30.0f) + 3.0f);
+}
+
+// The B_i of a direction; 0 in place of the sixteenth, which asks for the zenith.
 INLINE Moments moment_basis(SunwardDirection d) {
     float nu2 = d.nu * d.nu, side2 = 1.0f - nu2, w2 = d.w * d.w;
     float twice = 2.0f * w2 - side2, thrice = d.w * (4.0f * w2 - 3.0f * side2), four = 8.0f * w2 * (w2 - side2) + side2 * side2; // sin^m cos(m azimuth)
     Moments b;
-    b.part[0] = vec4(1.0f, 1.73205081f * d.nu, 1.73205081f * d.w, 0.375f * (nu2 * (35.0f * nu2 - 30.0f) + 3.0f));
-    b.part[1] = vec4(1.11803399f * (3.0f * nu2 - 1.0f), 3.87298335f * d.nu * d.w, 1.93649167f * twice, 1.67705098f * (7.0f * nu2 - 1.0f) * twice);
+    b.part[0] = vec4(1.0f, 1.73205081f * d.nu, 1.73205081f * d.w, zonal4(d.nu));
+    b.part[1] = vec4(1.11803399f * (3.0f * nu2 - 1.0f), 3.87298335f * d.nu * d.w, 1.93649167f * twice, 0.0f);
     b.part[2] = vec4(1.32287566f * d.nu * (5.0f * nu2 - 3.0f), 1.62018517f * d.w * (5.0f * nu2 - 1.0f), 5.12347538f * d.nu * twice, 2.09165007f * thrice);
-    b.part[3] = vec4(2.37170825f * d.w * d.nu * (7.0f * nu2 - 3.0f), 6.27495020f * d.nu * thrice, 2.21852993f * four, 0.0f);
+    b.part[3] = vec4(2.37170825f * d.w * d.nu * (7.0f * nu2 - 3.0f), 1.67705098f * (7.0f * nu2 - 1.0f) * twice, 6.27495020f * d.nu * thrice, 2.21852993f * four);
     return b;
 }
 
@@ -81,7 +90,7 @@ INLINE LightByDegree light_by_degree(IN(LightMoments) light, SunwardDirection di
         by.first[c] = low.y + low.z;
         by.second[c] = second.x + second.y + second.z;
         by.third[c] = dot(light.channel[c].part[2], b.part[2]);
-        by.fourth[c] = low.w + second.w + dot(light.channel[c].part[3], b.part[3]);
+        by.fourth[c] = low.w + dot(light.channel[c].part[3], b.part[3]);
     }
     return by;
 }
@@ -138,14 +147,19 @@ INLINE vec4 sample_light_tile(sampler2D table, vec2 uv, int tile) {
     return sample_bilinear(table, uv + vec2(0.0f, float(tile) / float(LIGHT_TILES)));
 }
 
-INLINE LightMoments sample_light_moments(sampler2D table, IN(Atmosphere) atmosphere, float h, float mu_s) {
+INLINE LightMoments sample_light_parts(sampler2D table, IN(Atmosphere) atmosphere, float h, float mu_s, int parts) {
     vec2 uv = light_moments_uv(atmosphere, textureSize(table, 0), h, mu_s);
     LightMoments light;
     for (int c = 0; c < 3; ++c) {
-        for (int i = 0; i < LIGHT_PARTS; ++i) light.channel[c].part[i] = sample_light_tile(table, uv, LIGHT_PARTS * c + i);
+        light.channel[c] = no_moments();
+        for (int i = 0; i < parts; ++i) light.channel[c].part[i] = sample_light_tile(table, uv, LIGHT_PARTS * c + i);
         light.root[c] = light.channel[c].part[0].x;
     }
     return light;
+}
+
+INLINE LightMoments sample_light_moments(sampler2D table, IN(Atmosphere) atmosphere, float h, float mu_s) {
+    return sample_light_parts(table, atmosphere, h, mu_s, LIGHT_PARTS);
 }
 
 // Irradiance [per unit of solar irradiance] from sky and ground on a surface at altitude h [m], whose normal has the
@@ -154,6 +168,22 @@ INLINE vec3 sample_diffuse_irradiance(sampler2D table, IN(Atmosphere) atmosphere
                                       float nu) {
     LightMoments light = sample_light_moments(table, atmosphere, h, mu_s);
     return power32(light.root) * irradiance_gain(light_by_degree(light, sunward_direction(mu, mu_s, nu)));
+}
+
+// Of a picture's surfaces, which are many: of degree 4 only what the first parts know.
+INLINE LightMoments sample_surface_light(sampler2D table, IN(Atmosphere) atmosphere, float h, float mu_s) {
+    return sample_light_parts(table, atmosphere, h, mu_s, SURFACE_PARTS);
+}
+
+// Theirs from a direction with the cosines mu to the zenith and nu to the sun, under a sun at mu_s: of degree 4 what is even around
+// the sun, and as much around the zenith as makes it exact there.
+INLINE LightByDegree surface_light_by_degree(IN(LightMoments) light, float mu, float mu_s, float nu) {
+    LightByDegree by = light_by_degree(light, sunward_direction(mu, mu_s, nu));
+    for (int c = 0; c < 3; ++c) {
+        float around_zenith = light.channel[c].part[1].w - light.channel[c].part[0].w * zonal4(mu_s) / 3.0f;
+        by.fourth[c] += around_zenith * zonal4(mu);
+    }
+    return by;
 }
 
 SHADER_NAMESPACE_END

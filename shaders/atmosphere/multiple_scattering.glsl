@@ -52,6 +52,13 @@ INLINE GatherDirection gather_direction(IN(Atmosphere) atmosphere, GatherRays ra
     return GatherDirection(mu, sunward, 1.5f * abs(reach) * u * u * share / float(rays.azimuths));
 }
 
+// What a node's moments count of light from there: the B_i and the sixteenth.
+INLINE Moments gather_basis(GatherDirection direction) {
+    Moments basis = moment_basis(direction.sunward);
+    basis.part[1].w = zonal4(direction.mu);
+    return basis;
+}
+
 // Extinction [1/m] of light that has been scattered.
 INLINE vec3 diffuse_extinction(IN(Atmosphere) atmosphere, IN(Medium) medium) {
     vec3 extinction = medium.extinction;

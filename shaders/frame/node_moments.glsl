@@ -32,7 +32,7 @@ void clear_sums() {
 }
 
 void add_direction(GatherDirection direction, vec3 radiance) {
-    Moments basis = moment_basis(direction.sunward);
+    Moments basis = gather_basis(direction);
     for (int channel = 0; channel < 3; ++channel) {
         float share = direction.weight * radiance[channel];
         for (int i = 0; i < LIGHT_PARTS; ++i) tile_sums[gl_LocalInvocationIndex][LIGHT_PARTS * channel + i] += basis.part[i] * share;

@@ -16,9 +16,9 @@ AirLight air_light(ViewRay ray) { return march_air(ray.pixel, ray.air, ray.light
 
 SurfaceLight surface_light(AirPoint place, SurfaceDirections at) {
     vec3 sun = sample_sun_transmittance(transmittance_table, frame.atmosphere, place.altitude, place.mu_s);
-    LightMoments around = sample_light_moments(multiple_scattering_table, frame.atmosphere, place.altitude, place.mu_s);
-    LightByDegree normal = light_by_degree(around, sunward_direction(at.normal_up, place.mu_s, at.normal_sun));
-    LightByDegree mirror = light_by_degree(around, sunward_direction(at.mirror_up, place.mu_s, at.mirror_sun));
+    LightMoments around = sample_surface_light(multiple_scattering_table, frame.atmosphere, place.altitude, place.mu_s);
+    LightByDegree normal = surface_light_by_degree(around, at.normal_up, place.mu_s, at.normal_sun);
+    LightByDegree mirror = surface_light_by_degree(around, at.mirror_up, place.mu_s, at.mirror_sun);
     vec3 mean = power32(around.root);
     return SurfaceLight(sun, mean * irradiance_gain(normal), mean * lobe_gain(mirror, at.alpha));
 }

@@ -64,7 +64,7 @@ NodeMoments gather_moments(shader::Atmosphere const& air, shader::GatherRays ray
         shader::GatherDirection const d = shader::gather_direction(air, rays, node.x, node.y, i);
         glm::vec3 const radiance =
             light(shader::make_air_ray(air.ground_radius, node.x, d.mu, node.y, d.sunward.nu)) * d.weight;
-        shader::Moments const basis = shader::moment_basis(d.sunward);
+        shader::Moments const basis = shader::gather_basis(d);
         for (int channel = 0; channel < 3; ++channel)
             sum[std::size_t(channel)] = shader::sum_of(sum[std::size_t(channel)], shader::scaled(basis, radiance[channel]));
     }
