@@ -5,7 +5,7 @@
 // the real spherical harmonics of degrees 0 to 4, whose square has the mean 1; their polar axis points to the sun and their
 // azimuth starts in the plane of the zenith, which is a plane of symmetry, so that the sines of the azimuth drop out.
 // Table: of any width and LIGHT_TILES times any height, tiles one above the other, LIGHT_PARTS for each channel:
-// (32nd root of m_0, m_1 / m_0, m_2 / m_0, m_3 / m_0) and so on, as `Moments` has them.
+// the 32nd root of m_0 and the others over m_0, in the order of `Moments`.
 #ifndef ALPENGLOW_ATMOSPHERE_LIGHT_MOMENTS_GLSL
 #define ALPENGLOW_ATMOSPHERE_LIGHT_MOMENTS_GLSL
 #include "atmosphere/sun_mapping.glsl"
