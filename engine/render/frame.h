@@ -21,7 +21,7 @@ struct TwofoldTable;
 
 /// From what the light on terrain is made: how the sun gets through the air, and the light of all orders.
 struct SkyTables {
-    ImageId transmittance, orders;
+    ImageId sunlight, orders;
 };
 
 /// What the frame's model of the air gives its passes to read.

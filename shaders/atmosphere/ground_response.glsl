@@ -61,12 +61,12 @@ INLINE Moments turned_to_sun(Moments zonal, float mu_s) {
 // By how much ground of the table's model, which lies at altitude 0, has to be brighter [1/sr] under a sun at mu_s for the
 // air above the ground that is there: at its altitude [m] the share `albedo` of what comes down goes up. `table`: of all
 // orders. Not darker than black, so that no light is less than none in the air below that altitude.
-INLINE vec3 ground_difference(IN(Atmosphere) atmosphere, sampler2D transmittance_table, sampler2D table, sampler2D response,
+INLINE vec3 ground_difference(IN(Atmosphere) atmosphere, sampler2D sunlight_table, sampler2D table, sampler2D response,
                               vec3 albedo, float altitude, float mu_s) {
-    vec3 sun = sample_sun_transmittance(transmittance_table, atmosphere, altitude, mu_s);
+    vec3 sun = sample_sun_transmittance(sunlight_table, atmosphere, altitude, mu_s);
     vec3 down = sun * max(mu_s, 0.0f) + sample_diffuse_irradiance(table, atmosphere, altitude, mu_s, 1.0f, mu_s);
     vec3 up = sample_diffuse_irradiance(table, atmosphere, altitude, mu_s, -1.0f, -mu_s);
-    vec3 level_sun = sample_sun_transmittance(transmittance_table, atmosphere, 0.0f, mu_s) * max(mu_s, 0.0f);
+    vec3 level_sun = sample_sun_transmittance(sunlight_table, atmosphere, 0.0f, mu_s) * max(mu_s, 0.0f);
     vec3 level = level_sun + sample_diffuse_irradiance(table, atmosphere, 0.0f, mu_s, 1.0f, mu_s);
     // Less what the table's own ground is off by, so that ground like it makes no difference.
     up -= sample_diffuse_irradiance(table, atmosphere, 0.0f, mu_s, -1.0f, -mu_s) - atmosphere.ground_albedo * level;

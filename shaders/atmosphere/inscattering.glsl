@@ -31,7 +31,7 @@ INLINE vec3 inscattering_source(IN(Medium) medium, IN(RayPhases) phases, vec3 su
 
 // All orders between two distances [m] of a ray inside the air, in n cells: inscattered radiance [1/sr] and the
 // transmittance of scattered light, without shadows but the planet's own.
-INLINE AirLight compute_air_light(IN(Atmosphere) atmosphere, sampler2D transmittance_table,
+INLINE AirLight compute_air_light(IN(Atmosphere) atmosphere, sampler2D sunlight_table,
                                   sampler2D multiple_scattering_table, AirRay ray, float begin, float end, int n) {
     MarchCells cells = make_march_cells(atmosphere, ray, begin, end);
     RayPhases phases = phases_of(atmosphere, ray.nu);
@@ -43,7 +43,7 @@ INLINE AirLight compute_air_light(IN(Atmosphere) atmosphere, sampler2D transmitt
         from = cell.end;
         AirPoint point = air_point_at(ray, cell.middle);
         Medium medium = medium_at(atmosphere, point.altitude);
-        vec3 sun = sample_sun_transmittance(transmittance_table, atmosphere, point.altitude, point.mu_s);
+        vec3 sun = sample_sun_transmittance(sunlight_table, atmosphere, point.altitude, point.mu_s);
         DiffuseLight diffuse = sample_diffuse_light(multiple_scattering_table, atmosphere, point, ray.nu);
         vec3 source = inscattering_source(medium, phases, sun, diffuse);
         add_cell(light, source, diffuse_extinction(atmosphere, medium), cell.end - cell.begin);

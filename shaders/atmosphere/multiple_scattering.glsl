@@ -8,7 +8,7 @@
 #include "atmosphere/diffuse_run.glsl"
 #include "atmosphere/phase.glsl"
 #include "atmosphere/segment_integral.glsl"
-#include "atmosphere/transmittance.glsl"
+#include "atmosphere/sunlight.glsl"
 SHADER_NAMESPACE_BEGIN
 
 // Directions in which a node looks: panels of four zeniths above the horizon and below it, azimuths over half a turn.
@@ -95,7 +95,7 @@ INLINE AirCell next_air_cell(IN(Atmosphere) atmosphere, AirRay ray, IN(MarchCell
 
 // Radiance of the first order that a ray inside the air brings to its origin [1/sr]: sunlight that the air or the ground
 // has scattered once.
-INLINE vec3 first_order_light(IN(Atmosphere) atmosphere, sampler2D transmittance_table, AirRay ray, int n) {
+INLINE vec3 first_order_light(IN(Atmosphere) atmosphere, sampler2D sunlight_table, AirRay ray, int n) {
     AirSegment segment = air_segment(atmosphere, ray);
     MarchCells cells = make_march_cells(atmosphere, ray, segment.begin, segment.end);
     RayPhases phases = phases_of(atmosphere, ray.nu);
@@ -106,12 +106,12 @@ INLINE vec3 first_order_light(IN(Atmosphere) atmosphere, sampler2D transmittance
     do {
         AirCell cell = next_air_cell(atmosphere, ray, cells, from, edge, i, n);
         AirPoint point = air_point_at(ray, cell.centre);
-        vec3 sun = sample_sun_transmittance(transmittance_table, atmosphere, point.altitude, point.mu_s);
+        vec3 sun = sample_sun_transmittance(sunlight_table, atmosphere, point.altitude, point.mu_s);
         vec3 source = directed_scattering(cell.air.mean, phases) * sun;
         add_cell(light, source, diffuse_extinction(atmosphere, cell.air.mean), cell.size);
     } while (++i < n);
     AirPoint last = air_point_at(ray, segment.end);
-    vec3 sun = sample_sun_transmittance(transmittance_table, atmosphere, 0.0f, last.mu_s) * max(last.mu_s, 0.0f);
+    vec3 sun = sample_sun_transmittance(sunlight_table, atmosphere, 0.0f, last.mu_s) * max(last.mu_s, 0.0f);
     vec3 ground = ground_radiance(atmosphere, sun);
     return behind_air(light, ground * vec3(segment.hits_ground ? 1.0f : 0.0f));
 }

@@ -8,7 +8,6 @@
 #ifndef ALPENGLOW_ATMOSPHERE_TRANSMITTANCE_GLSL
 #define ALPENGLOW_ATMOSPHERE_TRANSMITTANCE_GLSL
 #include "atmosphere/optical_depth.glsl"
-#include "atmosphere/sun_share.glsl"
 SHADER_NAMESPACE_BEGIN
 
 // Altitude [m] is clamped to the air, the direction to the horizon. `along` = r mu [m].
@@ -47,31 +46,13 @@ INLINE vec2 transmittance_altitude_mu_from_uv(IN(Atmosphere) atmosphere, vec2 uv
 // The texel that stores an optical depth.
 INLINE vec4 optical_depth_texel(vec3 depth) { return vec4(root32(depth), 1.0f); }
 
-// From the table; mu below the horizon reads the horizon's value. Above the top of the air: that of the top.
+// From the table; directions below the horizon read the horizon's value. Above the top of the air: that of the top.
+INLINE vec3 sample_optical_depth_along(sampler2D table, IN(Atmosphere) atmosphere, float h, float along) {
+    return power32(vec3(sample_bilinear(table, transmittance_uv_from_altitude_along(atmosphere, h, along))));
+}
+
 INLINE vec3 sample_optical_depth(sampler2D table, IN(Atmosphere) atmosphere, float h, float mu) {
     return power32(vec3(sample_bilinear(table, transmittance_uv_from_altitude_mu(atmosphere, h, mu))));
-}
-
-// The share of the sun's disc above the geometric horizon, exactly 0 to exactly 1, from altitude h [m].
-INLINE float sun_above_horizon_along(IN(Atmosphere) atmosphere, float h, float sun_along) {
-    float radius = atmosphere.ground_radius;
-    float elevation = (sun_along + sqrt(power_from_altitude(radius, max(h, 0.0f)))) / radius; // [rad] above the horizon
-    return disc_share_above(elevation / max(atmosphere.sun_angular_radius, 1e-6f));
-}
-
-INLINE float sun_above_horizon(IN(Atmosphere) atmosphere, float h, float mu_s) {
-    return sun_above_horizon_along(atmosphere, h, (atmosphere.ground_radius + max(h, 0.0f)) * mu_s);
-}
-
-// The share of the sun's light above the air that reaches a point at altitude h [m]: air, and the planet's own shadow.
-// `sun_along` = r mu_s [m].
-INLINE vec3 sample_sun_transmittance_along(sampler2D table, IN(Atmosphere) atmosphere, float h, float sun_along) {
-    vec3 depth = power32(vec3(sample_bilinear(table, transmittance_uv_from_altitude_along(atmosphere, h, sun_along))));
-    return exp(-depth) * sun_above_horizon_along(atmosphere, h, sun_along);
-}
-
-INLINE vec3 sample_sun_transmittance(sampler2D table, IN(Atmosphere) atmosphere, float h, float mu_s) {
-    return sample_sun_transmittance_along(table, atmosphere, h, (atmosphere.ground_radius + max(h, 0.0f)) * mu_s);
 }
 
 struct SegmentTransmittance {

@@ -41,7 +41,7 @@ void add_air_cell(inout AirLight light, Atmosphere atmosphere, RayPhases phases,
     float cell_length = cell.end - cell.begin, t = cell.middle + air.centre * cell_length;
     float seen = seen_light(shares, edge, air.mean, next, cell_length);
     edge = next;
-    vec3 sun = seen * sample_sun_transmittance_along(transmittance_table, atmosphere, altitude_at(ray, t), ray.sun_along + t * ray.nu);
+    vec3 sun = seen * sample_sun_transmittance_along(sunlight_table, atmosphere, altitude_at(ray, t), ray.sun_along + t * ray.nu);
     DiffuseLight diffuse = shaded_light(atmosphere, phases, diffuse_light_in(atmosphere, run, middle + air.centre * per_cell), seen);
     vec3 extinction = diffuse_extinction(atmosphere, air.mean);
     if ((MARCH_VARIANT & MARCH_ONE_ORDER) != 0) {

@@ -11,7 +11,7 @@
 // Modes, beside MULTIPLE_SCATTERING_EXTRAPOLATES: the first round, whatever `before` holds.
 #define GROUND_RESPONSE_STARTS 2
 
-#define GROUND_LIGHT_TRANSMITTANCE_SLOT 1 // in: linear filter, clamped to the edge, as all
+#define GROUND_LIGHT_SUNLIGHT_SLOT 1 // in: linear filter, clamped to the edge, as all
 #define GROUND_LIGHT_ORDERS_SLOT 2        // in, all orders over the planet's mean albedo
 #define GROUND_LIGHT_RESPONSE_SLOT 3      // in
 #define GROUND_LIGHT_TABLE_SLOT 4         // out, all orders over the ground of GroundLightPush

@@ -5,7 +5,7 @@
 #define ALPENGLOW_INTEROP_MULTIPLE_SCATTERING_H
 #include "interop/frame.h"
 
-#define FIRST_ORDER_TRANSMITTANCE_SLOT 1 // in, the transmittance table: linear filter, clamped to the edge
+#define FIRST_ORDER_SUNLIGHT_SLOT 1 // in, the table of sunlight: linear filter, clamped to the edge
 #define FIRST_ORDER_TABLE_SLOT 2         // out, light scattered once
 
 #define MULTIPLE_SCATTERING_FIRST_ORDER_SLOT 1 // in, light scattered once, at the same nodes

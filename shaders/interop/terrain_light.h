@@ -20,11 +20,11 @@
 #define TERRAIN_AIR_TILES 4
 #define TERRAIN_AIR_TEXELS 8 // of the light, to each side of a texel of the air's
 
-#define TERRAIN_SKY_TRANSMITTANCE_SLOT 1 // in, tables: linear filter, clamped to the edge
+#define TERRAIN_SKY_SUNLIGHT_SLOT 1 // in, tables: linear filter, clamped to the edge
 #define TERRAIN_SKY_ORDERS_SLOT 2        // in, light of all orders
 #define TERRAIN_SKY_RESULT_SLOT 3        // out
 
-#define TERRAIN_GLOW_TRANSMITTANCE_SLOT 1 // in, as above
+#define TERRAIN_GLOW_SUNLIGHT_SLOT 1 // in, as above
 #define TERRAIN_GLOW_ORDERS_SLOT 2
 #define TERRAIN_GLOW_ALBEDO_SLOT 3        // in, from above: interop/gbuffer.h
 #define TERRAIN_GLOW_NORMAL_SLOT 4

@@ -3,8 +3,9 @@
 #include "frame/air_model.glsl"
 #include "interop/models/march.h"
 
-layout(set = 0, binding = MARCH_TRANSMITTANCE_SLOT) uniform sampler2D transmittance_table;
+layout(set = 0, binding = MARCH_SUNLIGHT_SLOT) uniform sampler2D sunlight_table;
 layout(set = 0, binding = MARCH_MULTIPLE_SCATTERING_SLOT) uniform sampler2D multiple_scattering_table;
+layout(set = 0, binding = MARCH_TRANSMITTANCE_SLOT) uniform sampler2D transmittance_table;
 
 #define LIGHT_OF_TERRAIN // for passes that read its map
 
@@ -15,7 +16,7 @@ AirLight air_light(ViewRay ray) { return march_air(ray.pixel, ray.air, ray.light
 #endif
 
 SurfaceLight surface_light(AirPoint place, SurfaceDirections at) {
-    vec3 sun = sample_sun_transmittance(transmittance_table, frame.atmosphere, place.altitude, place.mu_s);
+    vec3 sun = sample_sun_transmittance(sunlight_table, frame.atmosphere, place.altitude, place.mu_s);
     LightMoments around = sample_surface_light(multiple_scattering_table, frame.atmosphere, place.altitude, place.mu_s);
     LightByDegree normal = surface_light_by_degree(around, at.normal_up, place.mu_s, at.normal_sun);
     LightByDegree mirror = surface_light_by_degree(around, at.mirror_up, place.mu_s, at.mirror_sun);

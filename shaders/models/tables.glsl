@@ -5,11 +5,12 @@
 #include "models/tables/sky_light.glsl"
 #include "models/tables/sky_view.glsl"
 
-layout(set = 0, binding = TABLES_TRANSMITTANCE_SLOT) uniform sampler2D transmittance_table;
+layout(set = 0, binding = TABLES_SUNLIGHT_SLOT) uniform sampler2D sunlight_table;
 layout(set = 0, binding = TABLES_ISOTROPIC_SLOT) uniform sampler2D isotropic_table;
 layout(set = 0, binding = TABLES_SKY_LIGHT_SLOT) uniform sampler2D sky_light_table;
 layout(set = 0, binding = TABLES_SKY_VIEW_SLOT) uniform sampler2D sky_view_table;
 layout(set = 0, binding = TABLES_AERIAL_SLOT) uniform sampler2D aerial_table;
+layout(set = 0, binding = TABLES_TRANSMITTANCE_SLOT) uniform sampler2D transmittance_table;
 
 #ifdef LIGHT_OF_RAYS
 const float SAME_PLACE = 2e-3; // share of a distance within which a surface is the planet's own
@@ -34,7 +35,7 @@ AirLight outside_light(ViewRay view, bool outside) {
                                     : min(view.distance - entry, distance_out_of(ray, frame.atmosphere.top_altitude));
     bool misses = end <= 0.0 || closest_altitude(view.air) >= frame.atmosphere.top_altitude;
     // No cells rather than a branch: software devices run both sides of one.
-    return march_squared(frame.atmosphere, transmittance_table, isotropic_table, ray, end, outside && !misses ? SKY_VIEW_CELLS : 0);
+    return march_squared(frame.atmosphere, sunlight_table, isotropic_table, ray, end, outside && !misses ? SKY_VIEW_CELLS : 0);
 }
 
 AirLight air_light(ViewRay ray) {
@@ -52,7 +53,7 @@ AirLight air_light(ViewRay ray) {
 
 SurfaceLight surface_light(AirPoint place, SurfaceDirections at) {
     vec3 sky = sample_sky_light(sky_light_table, frame.atmosphere, place.altitude, place.mu_s);
-    vec3 sun = sample_sun_transmittance(transmittance_table, frame.atmosphere, place.altitude, place.mu_s);
+    vec3 sun = sample_sun_transmittance(sunlight_table, frame.atmosphere, place.altitude, place.mu_s);
     vec3 ground = (sky + sun * max(place.mu_s, 0.0)) * frame.atmosphere.ground_albedo;
     vec3 irradiance = sky * (0.5 + 0.5 * at.normal_up) + ground * (0.5 - 0.5 * at.normal_up);
     return SurfaceLight(sun, irradiance, irradiance / PI);

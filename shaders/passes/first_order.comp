@@ -3,7 +3,7 @@
 #extension GL_EXT_scalar_block_layout : require
 #include "interop/multiple_scattering.h"
 
-layout(set = 0, binding = FIRST_ORDER_TRANSMITTANCE_SLOT) uniform sampler2D transmittance_table;
+layout(set = 0, binding = FIRST_ORDER_SUNLIGHT_SLOT) uniform sampler2D sunlight_table;
 layout(set = 0, binding = FIRST_ORDER_TABLE_SLOT, rgba32f) uniform writeonly image2D table;
 
 #include "frame/node_moments.glsl"
@@ -16,7 +16,7 @@ void main() {
     do {
         GatherDirection direction = gather_direction(atmosphere, FIRST_ORDER_RAYS, place.x, place.y, i);
         AirRay ray = make_air_ray(atmosphere.ground_radius, place.x, direction.mu, place.y, direction.sunward.nu);
-        add_direction(direction, first_order_light(atmosphere, transmittance_table, ray, FIRST_ORDER_RAYS.cells));
+        add_direction(direction, first_order_light(atmosphere, sunlight_table, ray, FIRST_ORDER_RAYS.cells));
         i += THREADS;
     } while (i < gather_count(FIRST_ORDER_RAYS));
     barrier();

@@ -5,7 +5,7 @@
 #include "interop/ground_light.h"
 
 layout(local_size_x = WORKGROUP_SIZE, local_size_y = WORKGROUP_SIZE) in;
-layout(set = 0, binding = GROUND_LIGHT_TRANSMITTANCE_SLOT) uniform sampler2D transmittance_table;
+layout(set = 0, binding = GROUND_LIGHT_SUNLIGHT_SLOT) uniform sampler2D sunlight_table;
 layout(set = 0, binding = GROUND_LIGHT_ORDERS_SLOT) uniform sampler2D orders_table;
 layout(set = 0, binding = GROUND_LIGHT_RESPONSE_SLOT) uniform sampler2D response_table;
 layout(set = 0, binding = GROUND_LIGHT_TABLE_SLOT, rgba32f) uniform writeonly image2D table;
@@ -23,7 +23,7 @@ void main() {
     Atmosphere atmosphere = frame.atmosphere;
     ivec2 node = ivec2(gl_GlobalInvocationID.xy), counts = ivec2(MULTIPLE_SCATTERING_WIDTH, MULTIPLE_SCATTERING_HEIGHT);
     float mu_s = altitude_sun_from_uv(atmosphere, (vec2(node) + 0.5) / vec2(counts), counts.x, counts.y).y;
-    vec3 difference = ground_difference(atmosphere, transmittance_table, orders_table, response_table, push.albedo,
+    vec3 difference = ground_difference(atmosphere, sunlight_table, orders_table, response_table, push.albedo,
                                         push.altitude, mu_s);
     for (int channel = 0; channel < 3; ++channel) {
         Moments light = moments_at(orders_table, node, channel);

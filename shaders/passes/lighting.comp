@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "interop/frame_block.glsl"
-#include "atmosphere/transmittance.glsl"
+#include "atmosphere/sunlight.glsl"
 #include "encoding/color.glsl"
 #include "encoding/octahedral.glsl"
 #include "interop/gbuffer.h"

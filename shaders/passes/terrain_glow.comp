@@ -7,7 +7,7 @@
 #include "frame/terrain_map.glsl"
 
 layout(local_size_x = WORKGROUP_SIZE, local_size_y = WORKGROUP_SIZE) in;
-layout(binding = TERRAIN_GLOW_TRANSMITTANCE_SLOT) uniform sampler2D transmittance_table;
+layout(binding = TERRAIN_GLOW_SUNLIGHT_SLOT) uniform sampler2D sunlight_table;
 layout(binding = TERRAIN_GLOW_ORDERS_SLOT) uniform sampler2D orders_table;
 layout(binding = TERRAIN_GLOW_ALBEDO_SLOT) uniform sampler2D albedo_image;
 layout(binding = TERRAIN_GLOW_NORMAL_SLOT) uniform sampler2D normal_image;
@@ -42,7 +42,7 @@ void main() {
     vec3 relative = frame.terrain.origin + frame.terrain.x * place.x + frame.terrain.y * place.y + up * ground.z;
     CeilingPlace in_ceiling = ceiling_surface_place(frame.ceiling, frame.light_from_world * relative);
     float towards_sun = dot(ground.normal, frame.to_sun);
-    vec3 sun = sample_sun_transmittance(transmittance_table, frame.atmosphere, altitude, mu_s) *
+    vec3 sun = sample_sun_transmittance(sunlight_table, frame.atmosphere, altitude, mu_s) *
                (max(towards_sun, 0.0) * ceiling_visibility(ceiling_map, frame.ceiling, in_ceiling));
     vec3 sky = sample_diffuse_irradiance(orders_table, frame.atmosphere, altitude, mu_s, dot(ground.normal, up), towards_sun);
     imageStore(facing, at, vec4(dot(ground.normal, frame.terrain.x), dot(ground.normal, frame.terrain.y), dot(ground.normal, up), 0.0));

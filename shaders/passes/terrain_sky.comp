@@ -5,7 +5,7 @@
 #include "frame/terrain_map.glsl"
 
 layout(local_size_x = WORKGROUP_SIZE, local_size_y = WORKGROUP_SIZE) in;
-layout(binding = TERRAIN_SKY_TRANSMITTANCE_SLOT) uniform sampler2D transmittance_table;
+layout(binding = TERRAIN_SKY_SUNLIGHT_SLOT) uniform sampler2D sunlight_table;
 layout(binding = TERRAIN_SKY_ORDERS_SLOT) uniform sampler2D orders_table;
 layout(binding = TERRAIN_SKY_RESULT_SLOT, rgba32f) uniform writeonly image2D result;
 
@@ -18,9 +18,9 @@ vec3 sky_radiance(float altitude, vec3 direction) {
     vec3 up = frame.terrain.z;
     AirRay ray = make_air_ray(atmosphere.ground_radius, altitude, dot(direction, up), dot(up, frame.to_sun), dot(direction, frame.to_sun));
     AirSegment segment = air_segment(atmosphere, ray);
-    AirLight light = compute_air_light(atmosphere, transmittance_table, orders_table, ray, segment.begin, segment.end, CELLS);
+    AirLight light = compute_air_light(atmosphere, sunlight_table, orders_table, ray, segment.begin, segment.end, CELLS);
     float mu_s = air_point_at(ray, segment.end).mu_s;
-    vec3 sun = sample_sun_transmittance(transmittance_table, atmosphere, 0.0, mu_s) * max(mu_s, 0.0);
+    vec3 sun = sample_sun_transmittance(sunlight_table, atmosphere, 0.0, mu_s) * max(mu_s, 0.0);
     vec3 sky = sample_diffuse_irradiance(orders_table, atmosphere, 0.0, mu_s, 1.0, mu_s);
     return behind_air(light, ground_radiance(atmosphere, sun + sky) * (segment.hits_ground ? 1.0 : 0.0));
 }

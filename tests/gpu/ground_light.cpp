@@ -14,9 +14,9 @@ namespace {
 /// The tables of an air over even ground, as the passes make them.
 struct Tables {
     shader::Atmosphere air;
-    std::vector<glm::vec4> transmittance, orders, response;
+    std::vector<glm::vec4> sunlight, orders, response;
 
-    shader::sampler2D transmittance_table() const { return {TRANSMITTANCE_WIDTH, TRANSMITTANCE_HEIGHT, transmittance.data()}; }
+    shader::sampler2D sunlight_table() const { return {TRANSMITTANCE_WIDTH, TRANSMITTANCE_HEIGHT, sunlight.data()}; }
     shader::sampler2D orders_table() const {
         return {MULTIPLE_SCATTERING_WIDTH, LIGHT_TILES * MULTIPLE_SCATTERING_HEIGHT, orders.data()};
     }
@@ -36,14 +36,14 @@ protected:
         Stand const stand = stand_on(planet);
         renderer().set_scene(nullptr, {}, planet.radius);
         renderer().draw(stand.view(stand.camera({0, 10, 0}, {0, 10, -1}, 1), {0, 1, 0}), plain_settings(), {8, 8});
-        return {atmosphere_of(planet), table("transmittance"), table("multiple_scattering"), table("ground_response")};
+        return {atmosphere_of(planet), table("sunlight"), table("multiple_scattering"), table("ground_response")};
     }
     std::vector<glm::vec4> table(char const* name) { return values_of<glm::vec4>(renderer().image_bytes(name)); }
 };
 
 shader::Moments moved(Tables const& from, std::size_t node, std::size_t channel, glm::vec3 const& albedo, float altitude) {
     float const mu_s = LightTable::place(from.air, node).y;
-    glm::vec3 const difference = shader::ground_difference(from.air, from.transmittance_table(), from.orders_table(),
+    glm::vec3 const difference = shader::ground_difference(from.air, from.sunlight_table(), from.orders_table(),
                                                            from.response_table(), albedo, altitude, mu_s);
     std::size_t const row = node / MULTIPLE_SCATTERING_WIDTH;
     return shader::over_other_ground(moments_at(from.orders, LightTable::nodes(), node, channel),

@@ -53,6 +53,14 @@ inline Table make_transmittance_table(shader::Atmosphere const& air) {
             }};
 }
 
+inline Table make_sunlight_table(shader::Atmosphere const& air) {
+    Table const transmittance = make_transmittance_table(air);
+    return {TRANSMITTANCE_WIDTH, TRANSMITTANCE_HEIGHT, [&](glm::vec2 uv) {
+                glm::vec2 const node = shader::transmittance_altitude_mu_from_uv(air, uv);
+                return shader::optical_depth_texel(shader::compute_sunlight_depth(transmittance.sampler(), air, node.x, node.y));
+            }};
+}
+
 /// Moments of the light at a node, of each channel.
 using NodeMoments = std::array<shader::Moments, 3>;
 
@@ -74,11 +82,11 @@ NodeMoments gather_moments(shader::Atmosphere const& air, shader::GatherRays ray
 /// The table of moments: each round adds an order of scattering.
 class LightTable {
 public:
-    LightTable(shader::Atmosphere const& air, shader::sampler2D transmittance, shader::GatherRays first)
+    LightTable(shader::Atmosphere const& air, shader::sampler2D sunlight, shader::GatherRays first)
         : first_order_(nodes()), texels_(nodes() * LIGHT_TILES) {
         for (std::size_t i = 0; i < nodes(); ++i) {
             first_order_[i] = gather_moments(air, first, place(air, i), [&](shader::AirRay const& ray) {
-                return shader::first_order_light(air, transmittance, ray, first.cells);
+                return shader::first_order_light(air, sunlight, ray, first.cells);
             });
             store(i, first_order_[i]);
         }
@@ -120,6 +128,10 @@ private:
 /// The clear Earth's tables, built once.
 inline Table const& earth_transmittance() {
     static Table const table = make_transmittance_table(earth_air());
+    return table;
+}
+inline Table const& earth_sunlight() {
+    static Table const table = make_sunlight_table(earth_air());
     return table;
 }
 } // namespace alpenglow::test

@@ -116,11 +116,22 @@ inline double disc_share(double x) {
     return 0.5 + (x * std::sqrt(1 - x * x) + std::asin(x)) / std::numbers::pi;
 }
 
+/// Of the part of the sun's disc above the planet's edge, in slices; of its centre where it stands high.
 inline dvec3 sun_transmittance(Air const& air, double h, double mu_s) {
+    constexpr int SLICES = 12;
+    constexpr double HIGH = 20;
+    double const radius = air.given.sun_angular_radius, zenith = std::acos(std::clamp(mu_s, -1.0, 1.0));
     double const horizon = std::numbers::pi / 2 + std::acos(std::min(1.0, air.radius() / (air.radius() + h)));
-    double const above = disc_share((horizon - std::acos(std::clamp(mu_s, -1.0, 1.0))) / air.given.sun_angular_radius);
-    if (above == 0) return dvec3(0);
-    return glm::exp(-optical_depth_to_top(air, h, std::max(mu_s, std::cos(horizon)))) * above;
+    double const above = (horizon - zenith) / radius; // [radii]
+    if (above <= -1) return dvec3(0);
+    if (above > HIGH) return glm::exp(-optical_depth_to_top(air, h, mu_s));
+    double const from = std::asin(std::max(-above, -1.0)), step = (std::numbers::pi / 2 - from) / SLICES;
+    dvec3 sum(0);
+    for (int i = 0; i < SLICES; ++i) {
+        double const angle = from + (i + 0.5) * step, width = std::cos(angle);
+        sum += width * width * step * glm::exp(-optical_depth_to_top(air, h, std::cos(zenith - radius * std::sin(angle))));
+    }
+    return sum * (2 / std::numbers::pi);
 }
 
 /// Single scattering between two distances [1/sr per unit of solar irradiance].

@@ -55,7 +55,7 @@ double march_error(std::vector<View> const& views, int n) {
     double wrong = 0, all = 0;
     for (View const& view : views) {
         AirLight const light =
-            compute_air_light(AIR, test::earth_transmittance().sampler(), no_light(), view.ray, 0, view.end, n);
+            compute_air_light(AIR, test::earth_sunlight().sampler(), no_light(), view.ray, 0, view.end, n);
         dvec3 const truth = reference::single_scattering(exact, view.exact, 0, view.end);
         wrong += dot(dvec3(light.inscattered) - truth, dvec3(light.inscattered) - truth);
         all += dot(truth, truth);
@@ -116,7 +116,7 @@ TEST(March, the_aureole_meets_the_double_integral) {
 // A ray to distance d, plus its transmittance times what lies beyond, is the whole ray: no seam at the skyline.
 TEST(March, a_ray_cut_in_two_is_the_whole_ray) {
     auto const march = [](AirRay const& ray, float begin, float end) {
-        return compute_air_light(AIR, test::earth_transmittance().sampler(), no_light(), ray, begin, end, 32);
+        return compute_air_light(AIR, test::earth_sunlight().sampler(), no_light(), ray, begin, end, 32);
     };
     for (float const mu : {-0.01f, 0.0f, 0.05f, 0.5f})
         for (float const sun : {0.3f, 0.02f, -0.05f})
@@ -134,9 +134,9 @@ TEST(March, a_ray_cut_in_two_is_the_whole_ray) {
 
 TEST(March, without_air_there_is_no_light_and_no_loss) {
     Atmosphere const airless = test::no_air();
-    test::Table const transmittance = test::make_transmittance_table(airless);
+    test::Table const sunlight = test::make_sunlight_table(airless);
     AirRay const ray = make_air_ray(airless.ground_radius, 10, 0.1f, 0.2f, 0.3f);
-    AirLight const light = compute_air_light(airless, transmittance.sampler(), no_light(), ray, 0, 5e5f, 8);
+    AirLight const light = compute_air_light(airless, sunlight.sampler(), no_light(), ray, 0, 5e5f, 8);
     EXPECT_EQ(light.inscattered, vec3(0));
     EXPECT_EQ(light.transmittance, vec3(1));
 }

@@ -72,8 +72,8 @@ constexpr float DARKEST = 0.604f;
 
 TEST(MultipleScattering, every_node_is_finite_and_every_order_adds_light) {
     for (Atmosphere const& air : {test::earth_air(), test::dense_air(), atmosphere_of(test::motley_planet())}) {
-        test::Table const transmittance = test::make_transmittance_table(air);
-        test::LightTable light(air, transmittance.sampler(), FEW_FIRST);
+        test::Table const sunlight = test::make_sunlight_table(air);
+        test::LightTable light(air, sunlight.sampler(), FEW_FIRST);
         for (int round = 0; round < 2; ++round) {
             std::vector<vec4> const before = light.texels();
             light.add_order(air, FEW_HIGHER);

@@ -10,7 +10,7 @@
 using namespace alpenglow;
 using namespace alpenglow::shader;
 using test::earth_air;
-using test::earth_transmittance;
+using test::earth_sunlight;
 
 namespace {
 
@@ -19,7 +19,7 @@ Atmosphere const AIR = earth_air();
 test::Table const& isotropic_table() {
     static test::Table const table(ISOTROPIC_SIZE, ISOTROPIC_SIZE, [](vec2 uv) {
         vec2 const node = altitude_sun_from_uv(AIR, uv, ISOTROPIC_SIZE, ISOTROPIC_SIZE);
-        return vec4(root32(compute_isotropic(AIR, earth_transmittance().sampler(), node.x, node.y)), 1);
+        return vec4(root32(compute_isotropic(AIR, earth_sunlight().sampler(), node.x, node.y)), 1);
     });
     return table;
 }
@@ -92,13 +92,13 @@ TEST(TablesModel, further_orders_are_a_share_of_the_first) {
 
 TEST(TablesModel, sky_light_is_the_sky_views_integral) {
     constexpr float MU_S = 0.5f;
-    sampler2D const transmittance = earth_transmittance().sampler(), isotropic = isotropic_table().sampler();
-    vec3 const expected = compute_sky_light(AIR, transmittance, isotropic, 0, MU_S);
+    sampler2D const sunlight = earth_sunlight().sampler(), isotropic = isotropic_table().sampler();
+    vec3 const expected = compute_sky_light(AIR, sunlight, isotropic, 0, MU_S);
     dvec3 sum(0);
     constexpr int RINGS = 48, SPOKES = 64;
     for (int i = 0; i < RINGS * SPOKES; ++i) {
         float const mu = (float(i / SPOKES) + 0.5f) / RINGS, azimuth = (float(i % SPOKES) + 0.5f) / SPOKES * 2 * PI;
-        sum += dvec3(compute_sky_view(AIR, transmittance, isotropic, 0, MU_S, {mu, std::cos(azimuth)}) * mu) * (2.0 * PI / (RINGS * SPOKES));
+        sum += dvec3(compute_sky_view(AIR, sunlight, isotropic, 0, MU_S, {mu, std::cos(azimuth)}) * mu) * (2.0 * PI / (RINGS * SPOKES));
     }
     // The squared spacing of 30 cells is some percents off where the aerosol is bright; a factor is far more.
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(sum[c], expected[c], 0.06 * expected[c]) << c;

@@ -4,6 +4,7 @@
 #include "interop/ground_light.h"
 #include "interop/multiple_scattering.h"
 #include "render/models/model.h"
+#include "render/passes/sunlight.h"
 #include "render/passes/transmittance.h"
 
 #include <embedded_shaders.h>
@@ -16,6 +17,7 @@ namespace {
 
 enum Tables : std::size_t {
     TRANSMITTANCE,
+    SUNLIGHT,
     RESPONSE_ORDERS,
     RESPONSE,
     COARSE_FIRST_ORDER,
@@ -43,7 +45,7 @@ AirTableStep first_order_step(std::string const& pass, Tables table, Extent node
     return {.pass = pass,
             .shader = shaders::first_order_comp,
             .groups = static_cast<std::uint32_t>(nodes.pixels()),
-            .reads = {{TRANSMITTANCE, FIRST_ORDER_TRANSMITTANCE_SLOT}},
+            .reads = {{SUNLIGHT, FIRST_ORDER_SUNLIGHT_SLOT}},
             .makes = {table, FIRST_ORDER_TABLE_SLOT}};
 }
 
@@ -66,7 +68,7 @@ AirTableStep response_step(int round) {
     return {.pass = "ground_response",
             .shader = shaders::ground_response_comp,
             .groups = static_cast<std::uint32_t>(RESPONSE_NODES.pixels()),
-            .reads = {{round == 0 ? TRANSMITTANCE : RESPONSE_ORDERS, GROUND_RESPONSE_BEFORE_SLOT}},
+            .reads = {{round == 0 ? SUNLIGHT : RESPONSE_ORDERS, GROUND_RESPONSE_BEFORE_SLOT}},
             .makes = {round == RESPONSE_ROUNDS ? RESPONSE : RESPONSE_ORDERS, GROUND_RESPONSE_TABLE_SLOT},
             .mode = mode,
             .updates = mode == MULTIPLE_SCATTERING_EXTRAPOLATES};
@@ -74,7 +76,7 @@ AirTableStep response_step(int round) {
 
 /// All orders on a quarter of the nodes first: what they are off by is smooth, and little is left to do for the rest.
 std::vector<AirTableStep> make_steps(int rounds) {
-    std::vector<AirTableStep> steps{transmittance_step(TRANSMITTANCE),
+    std::vector<AirTableStep> steps{transmittance_step(TRANSMITTANCE), sunlight_step(SUNLIGHT, TRANSMITTANCE),
                                     first_order_step("coarse_first_order", COARSE_FIRST_ORDER, COARSE_NODES)};
     for (int round = 1; round <= rounds; ++round)
         steps.push_back(order_step("coarse_orders", COARSE_FIRST_ORDER, round == 1 ? COARSE_FIRST_ORDER : COARSE_ORDERS,
@@ -102,7 +104,7 @@ ImageId orders_over(FrameGraph& graph, AirTableInputs const& inputs, GroundAroun
     graph.add(ComputePass{"ground_light",
                           shaders::ground_light_comp,
                           {constants(FRAME_SLOT, inputs.frame),
-                           sampled(GROUND_LIGHT_TRANSMITTANCE_SLOT, inputs.tables[TRANSMITTANCE]),
+                           sampled(GROUND_LIGHT_SUNLIGHT_SLOT, inputs.tables[SUNLIGHT]),
                            sampled(GROUND_LIGHT_ORDERS_SLOT, inputs.tables[ORDERS]),
                            sampled(GROUND_LIGHT_RESPONSE_SLOT, inputs.tables[RESPONSE]),
                            stored(GROUND_LIGHT_TABLE_SLOT, orders)},
@@ -112,13 +114,14 @@ ImageId orders_over(FrameGraph& graph, AirTableInputs const& inputs, GroundAroun
 }
 
 std::vector<Slot> model_slots(FrameGraph& graph, AirTableInputs const& inputs) {
-    return {sampled(MARCH_TRANSMITTANCE_SLOT, inputs.tables[TRANSMITTANCE]),
+    return {sampled(MARCH_SUNLIGHT_SLOT, inputs.tables[SUNLIGHT]),
             sampled(MARCH_MULTIPLE_SCATTERING_SLOT,
-                    orders_over(graph, inputs, inputs.in.ground, "light_over_ground"))};
+                    orders_over(graph, inputs, inputs.in.ground, "light_over_ground")),
+            sampled(MARCH_TRANSMITTANCE_SLOT, inputs.tables[TRANSMITTANCE])};
 }
 
 SkyTables sky_tables(FrameGraph& graph, AirTableInputs const& inputs, GroundAround const& ground) {
-    return {inputs.tables[TRANSMITTANCE], orders_over(graph, inputs, ground, "light_over_terrain")};
+    return {inputs.tables[SUNLIGHT], orders_over(graph, inputs, ground, "light_over_terrain")};
 }
 
 int air_variant(FrameInputs const& in) {
@@ -141,6 +144,7 @@ AirModel make_march() {
             .air_repair = shaders::air_repair_march_comp,
             .lighting = shaders::lighting_march_comp,
             .tables = {{"transmittance", {TRANSMITTANCE_WIDTH, TRANSMITTANCE_HEIGHT}, ShowScale::optical_depth},
+                       {"sunlight", {TRANSMITTANCE_WIDTH, TRANSMITTANCE_HEIGHT}, ShowScale::optical_depth},
                        {"ground_response_orders", moments_size(RESPONSE_NODES), ShowScale::logarithm},
                        {"ground_response", moments_size(RESPONSE_NODES), ShowScale::logarithm},
                        {"coarse_first_order", moments_size(COARSE_NODES), ShowScale::logarithm},

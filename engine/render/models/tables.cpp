@@ -1,6 +1,7 @@
 #include "interop/models/tables.h"
 
 #include "render/models/model.h"
+#include "render/passes/sunlight.h"
 #include "render/passes/transmittance.h"
 
 #include <embedded_shaders.h>
@@ -9,14 +10,14 @@ namespace alpenglow {
 
 namespace {
 
-enum Tables : std::size_t { TRANSMITTANCE, ISOTROPIC, SKY_LIGHT };
+enum Tables : std::size_t { TRANSMITTANCE, SUNLIGHT, ISOTROPIC, SKY_LIGHT };
 
 /// A step that makes `table`, of `size`, from those before it.
 AirTableStep step_for(std::string const& pass, ShaderCode const& shader, Tables table, Extent size) {
     AirTableStep step{.pass = pass,
                       .shader = shader,
                       .groups = size.width / WORKGROUP_SIZE * size.height / WORKGROUP_SIZE,
-                      .reads = {{TRANSMITTANCE, TABLE_TRANSMITTANCE_SLOT}},
+                      .reads = {{SUNLIGHT, TABLE_SUNLIGHT_SLOT}},
                       .makes = {table, TABLE_RESULT_SLOT}};
     if (table != ISOTROPIC) step.reads.push_back({ISOTROPIC, TABLE_ISOTROPIC_SLOT});
     return step;
@@ -29,7 +30,7 @@ ImageId add_view_table(FrameGraph& graph, AirTableInputs const& inputs, std::str
     graph.add(ComputePass{name,
                           shader,
                           {constants(FRAME_SLOT, inputs.frame),
-                           sampled(TABLE_TRANSMITTANCE_SLOT, inputs.tables[TRANSMITTANCE]),
+                           sampled(TABLE_SUNLIGHT_SLOT, inputs.tables[SUNLIGHT]),
                            sampled(TABLE_ISOTROPIC_SLOT, inputs.tables[ISOTROPIC]), stored(TABLE_RESULT_SLOT, table)},
                           threads});
     return table;
@@ -37,14 +38,15 @@ ImageId add_view_table(FrameGraph& graph, AirTableInputs const& inputs, std::str
 
 std::vector<Slot> model_slots(FrameGraph& graph, AirTableInputs const& inputs) {
     Extent const sky_view{SKY_VIEW_WIDTH, SKY_VIEW_HEIGHT}, aerial{AERIAL_SLICES * AERIAL_SIZE, 2 * AERIAL_SIZE};
-    return {sampled(TABLES_TRANSMITTANCE_SLOT, inputs.tables[TRANSMITTANCE]),
+    return {sampled(TABLES_SUNLIGHT_SLOT, inputs.tables[SUNLIGHT]),
             sampled(TABLES_ISOTROPIC_SLOT, inputs.tables[ISOTROPIC]),
             sampled(TABLES_SKY_LIGHT_SLOT, inputs.tables[SKY_LIGHT]),
             sampled(TABLES_SKY_VIEW_SLOT,
                     add_view_table(graph, inputs, "sky_view", shaders::sky_view_comp, sky_view, sky_view)),
             sampled(TABLES_AERIAL_SLOT, add_view_table(graph, inputs, "aerial_perspective",
                                                        shaders::aerial_perspective_comp, aerial,
-                                                       {AERIAL_SIZE, AERIAL_SIZE}))};
+                                                       {AERIAL_SIZE, AERIAL_SIZE})),
+            sampled(TABLES_TRANSMITTANCE_SLOT, inputs.tables[TRANSMITTANCE])};
 }
 
 std::string_view limits(World const& world, Settings const& settings, bool meshes) {
@@ -58,6 +60,7 @@ std::string_view limits(World const& world, Settings const& settings, bool meshe
 std::vector<AirTableStep> const& steps(shader::Atmosphere const&) {
     static std::vector<AirTableStep> const STEPS{
         transmittance_step(TRANSMITTANCE),
+        sunlight_step(SUNLIGHT, TRANSMITTANCE),
         step_for("isotropic_scattering", shaders::isotropic_scattering_comp, ISOTROPIC, {ISOTROPIC_SIZE, ISOTROPIC_SIZE}),
         step_for("sky_light", shaders::sky_light_comp, SKY_LIGHT, {SKY_LIGHT_WIDTH, SKY_LIGHT_HEIGHT})};
     return STEPS;
@@ -72,6 +75,7 @@ AirModel make_tables() {
             .air_repair = shaders::air_repair_tables_comp,
             .lighting = shaders::lighting_tables_comp,
             .tables = {{"transmittance", {TRANSMITTANCE_WIDTH, TRANSMITTANCE_HEIGHT}, ShowScale::optical_depth},
+                       {"sunlight", {TRANSMITTANCE_WIDTH, TRANSMITTANCE_HEIGHT}, ShowScale::optical_depth},
                        {"isotropic_scattering", {ISOTROPIC_SIZE, ISOTROPIC_SIZE}, ShowScale::logarithm},
                        {"sky_light", {SKY_LIGHT_WIDTH, SKY_LIGHT_HEIGHT}, ShowScale::logarithm}},
             .steps = steps,

@@ -53,7 +53,7 @@ ImageId add_sky(FrameGraph& graph, ConstantsId frame, SkyTables const& tables) {
     ImageId const sky = graph.add_image("terrain_sky", {VK_FORMAT_R32G32B32A32_SFLOAT, extent}, ShowScale::radiance);
     graph.add(ComputePass{"terrain_sky",
                           shaders::terrain_sky_comp,
-                          {constants(FRAME_SLOT, frame), sampled(TERRAIN_SKY_TRANSMITTANCE_SLOT, tables.transmittance),
+                          {constants(FRAME_SLOT, frame), sampled(TERRAIN_SKY_SUNLIGHT_SLOT, tables.sunlight),
                            sampled(TERRAIN_SKY_ORDERS_SLOT, tables.orders), stored(TERRAIN_SKY_RESULT_SLOT, sky)},
                           extent});
     return sky;
@@ -71,7 +71,7 @@ Glow add_glow(FrameGraph& graph, ConstantsId frame, SkyTables const& tables, Abo
         graph.add_image("terrain_facing", {VK_FORMAT_R16G16B16A16_SFLOAT, extent}, ShowScale::number)};
     graph.add(ComputePass{"terrain_glow",
                           shaders::terrain_glow_comp,
-                          {constants(FRAME_SLOT, frame), sampled(TERRAIN_GLOW_TRANSMITTANCE_SLOT, tables.transmittance),
+                          {constants(FRAME_SLOT, frame), sampled(TERRAIN_GLOW_SUNLIGHT_SLOT, tables.sunlight),
                            sampled(TERRAIN_GLOW_ORDERS_SLOT, tables.orders),
                            sampled(TERRAIN_GLOW_ALBEDO_SLOT, above.albedo, NEAREST_CLAMP),
                            sampled(TERRAIN_GLOW_NORMAL_SLOT, above.normal, NEAREST_CLAMP),

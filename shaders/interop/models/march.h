@@ -3,8 +3,9 @@
 #define ALPENGLOW_INTEROP_MODELS_MARCH_H
 #include "interop/air_model.h"
 
-#define MARCH_TRANSMITTANCE_SLOT (AIR_MODEL_SLOT + 0)       // tables: linear filter, clamped to the edge
+#define MARCH_SUNLIGHT_SLOT (AIR_MODEL_SLOT + 0) // tables: linear filter, clamped to the edge
 #define MARCH_MULTIPLE_SCATTERING_SLOT (AIR_MODEL_SLOT + 1)
+#define MARCH_TRANSMITTANCE_SLOT (AIR_MODEL_SLOT + 2) // read by passes that draw rays
 
 // Variants, added up; 0 has everything. Constants, since software devices run both sides of a branch.
 #define MARCH_ONE_ORDER 1 // only light scattered once

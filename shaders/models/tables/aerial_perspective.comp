@@ -6,7 +6,7 @@
 #include "models/tables/isotropic.glsl"
 
 layout(local_size_x = WORKGROUP_SIZE, local_size_y = WORKGROUP_SIZE) in;
-layout(set = 0, binding = TABLE_TRANSMITTANCE_SLOT) uniform sampler2D transmittance_table;
+layout(set = 0, binding = TABLE_SUNLIGHT_SLOT) uniform sampler2D sunlight_table;
 layout(set = 0, binding = TABLE_ISOTROPIC_SLOT) uniform sampler2D isotropic_table;
 layout(set = 0, binding = TABLE_RESULT_SLOT, rgba32f) uniform writeonly image2D table;
 
@@ -26,7 +26,7 @@ void main() {
     for (int slice = 0; slice < AERIAL_SLICES; ++slice) {
         float cell = (aerial_distance(reach, slice) - from) / float(SLICE_CELLS);
         for (int i = 0; i < SLICE_CELLS; ++i) {
-            add_isotropic_cell(light, frame.atmosphere, transmittance_table, isotropic_table, phases, ray,
+            add_isotropic_cell(light, frame.atmosphere, sunlight_table, isotropic_table, phases, ray,
                                from + (float(i) + 0.5f) * cell, cell);
         }
         from = aerial_distance(reach, slice);

@@ -33,7 +33,7 @@ struct IsotropicTransfer {
     vec3 around; // what a unit of radiance all around sends: 0 to 1
 };
 
-INLINE IsotropicTransfer gather_isotropic(IN(Atmosphere) atmosphere, sampler2D transmittance_table, AirRay ray) {
+INLINE IsotropicTransfer gather_isotropic(IN(Atmosphere) atmosphere, sampler2D sunlight_table, AirRay ray) {
     AirSegment segment = air_segment(atmosphere, ray);
     MarchCells cells = make_march_cells(atmosphere, ray, segment.begin, segment.end);
     IsotropicTransfer sum = IsotropicTransfer(vec3(0.0f), vec3(0.0f));
@@ -46,19 +46,19 @@ INLINE IsotropicTransfer gather_isotropic(IN(Atmosphere) atmosphere, sampler2D t
         Medium medium = medium_at(atmosphere, point.altitude);
         float cell_length = cell.end - cell.begin;
         vec3 seen = transmittance * integrate_segment(total_scattering(medium), medium.extinction, cell_length);
-        vec3 sun = sample_sun_transmittance(transmittance_table, atmosphere, point.altitude, point.mu_s);
+        vec3 sun = sample_sun_transmittance(sunlight_table, atmosphere, point.altitude, point.mu_s);
         sum.first += seen * sun * ISOTROPIC_PHASE;
         sum.around += seen;
         transmittance *= exp(-medium.extinction * cell_length);
     }
     AirPoint last = air_point_at(ray, segment.end);
-    vec3 sunlit = sample_sun_transmittance(transmittance_table, atmosphere, 0.0f, last.mu_s) * (max(last.mu_s, 0.0f) / PI);
+    vec3 sunlit = sample_sun_transmittance(sunlight_table, atmosphere, 0.0f, last.mu_s) * (max(last.mu_s, 0.0f) / PI);
     sum.first += transmittance * atmosphere.ground_albedo * sunlit * vec3(segment.hits_ground ? 1.0f : 0.0f);
     return sum;
 }
 
 // Psi at altitude h [m] under a sun at mu_s, by integration.
-INLINE vec3 compute_isotropic(IN(Atmosphere) atmosphere, sampler2D transmittance_table, float h, float mu_s) {
+INLINE vec3 compute_isotropic(IN(Atmosphere) atmosphere, sampler2D sunlight_table, float h, float mu_s) {
     float sin_sun = sqrt(max(1.0f - mu_s * mu_s, 0.0f));
     vec3 second = vec3(0.0f);
     vec3 again = vec3(0.0f);
@@ -66,7 +66,7 @@ INLINE vec3 compute_isotropic(IN(Atmosphere) atmosphere, sampler2D transmittance
         vec3 direction = even_direction(i, ISOTROPIC_DIRECTIONS);
         float nu = clamp(direction.z * mu_s + direction.x * sin_sun, -1.0f, 1.0f);
         AirRay ray = make_air_ray(atmosphere.ground_radius, h, direction.z, mu_s, nu);
-        IsotropicTransfer transfer = gather_isotropic(atmosphere, transmittance_table, ray);
+        IsotropicTransfer transfer = gather_isotropic(atmosphere, sunlight_table, ray);
         second += transfer.first;
         again += transfer.around;
     }
@@ -80,12 +80,12 @@ INLINE vec3 sample_isotropic(sampler2D table, IN(Atmosphere) atmosphere, float h
 }
 
 // Adds the light of one cell, with source and extinction as at distance t [m].
-INLINE void add_isotropic_cell(INOUT(AirLight) light, IN(Atmosphere) atmosphere, sampler2D transmittance_table,
+INLINE void add_isotropic_cell(INOUT(AirLight) light, IN(Atmosphere) atmosphere, sampler2D sunlight_table,
                                sampler2D isotropic_table, RayPhases phases, AirRay ray, float t, float cell_length) {
     AirPoint point = air_point_at(ray, t);
     float h = max(point.altitude, 0.0f);
     Medium medium = medium_at(atmosphere, h);
-    vec3 sun = sample_sun_transmittance(transmittance_table, atmosphere, h, point.mu_s);
+    vec3 sun = sample_sun_transmittance(sunlight_table, atmosphere, h, point.mu_s);
     vec3 psi = sample_isotropic(isotropic_table, atmosphere, h, point.mu_s);
     add_cell(light, isotropic_source(medium, phases, sun, psi), medium.extinction, cell_length);
 }

@@ -10,7 +10,7 @@ CONSTANT int SKY_LIGHT_AZIMUTHS = 16; // of half a turn; dense towards the sun, 
 CONSTANT int SKY_LIGHT_CELLS = 24;
 
 // By integration over the upper hemisphere at altitude h [m], without the direct sun.
-INLINE vec3 compute_sky_light(IN(Atmosphere) atmosphere, sampler2D transmittance_table, sampler2D isotropic_table, float h,
+INLINE vec3 compute_sky_light(IN(Atmosphere) atmosphere, sampler2D sunlight_table, sampler2D isotropic_table, float h,
                               float mu_s) {
     float sin_sun = sqrt(max(1.0f - mu_s * mu_s, 0.0f));
     vec3 irradiance = vec3(0.0f);
@@ -27,7 +27,7 @@ INLINE vec3 compute_sky_light(IN(Atmosphere) atmosphere, sampler2D transmittance
         for (int j = 0; j < SKY_LIGHT_CELLS; ++j) {
             MarchCell cell = march_cell_from(cells, from, j, SKY_LIGHT_CELLS);
             from = cell.end;
-            add_isotropic_cell(light, atmosphere, transmittance_table, isotropic_table, phases, ray, cell.middle,
+            add_isotropic_cell(light, atmosphere, sunlight_table, isotropic_table, phases, ray, cell.middle,
                                cell.end - cell.begin);
         }
         irradiance += light.inscattered * (mu * sin(zenith) * x);

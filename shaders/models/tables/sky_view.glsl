@@ -38,7 +38,7 @@ INLINE SkyDirection sky_direction_from_uv(IN(Atmosphere) atmosphere, float h, ve
 }
 
 // Light between the origin of a ray inside the air and a distance `end` [m].
-INLINE AirLight march_squared(IN(Atmosphere) atmosphere, sampler2D transmittance_table, sampler2D isotropic_table, AirRay ray,
+INLINE AirLight march_squared(IN(Atmosphere) atmosphere, sampler2D sunlight_table, sampler2D isotropic_table, AirRay ray,
                               float end, int cells) {
     RayPhases phases = phases_of(atmosphere, ray.nu);
     AirLight light = no_air_light();
@@ -46,7 +46,7 @@ INLINE AirLight march_squared(IN(Atmosphere) atmosphere, sampler2D transmittance
     for (int i = 1; i <= cells; ++i) {
         float share = float(i) / float(cells);
         float to = end * share * share;
-        add_isotropic_cell(light, atmosphere, transmittance_table, isotropic_table, phases, ray,
+        add_isotropic_cell(light, atmosphere, sunlight_table, isotropic_table, phases, ray,
                            mix(from, to, SKY_VIEW_SAMPLE), to - from);
         from = to;
     }
@@ -54,13 +54,13 @@ INLINE AirLight march_squared(IN(Atmosphere) atmosphere, sampler2D transmittance
 }
 
 // Radiance from a direction, from altitude h [m] inside the air under a sun at mu_s.
-INLINE vec3 compute_sky_view(IN(Atmosphere) atmosphere, sampler2D transmittance_table, sampler2D isotropic_table, float h,
+INLINE vec3 compute_sky_view(IN(Atmosphere) atmosphere, sampler2D sunlight_table, sampler2D isotropic_table, float h,
                              float mu_s, SkyDirection direction) {
     float sines = sqrt(max((1.0f - direction.mu * direction.mu) * (1.0f - mu_s * mu_s), 0.0f));
     float nu = clamp(direction.mu * mu_s + sines * direction.cos_azimuth, -1.0f, 1.0f);
     AirRay ray = make_air_ray(atmosphere.ground_radius, h, direction.mu, mu_s, nu);
     float end = air_segment(atmosphere, ray).end;
-    return march_squared(atmosphere, transmittance_table, isotropic_table, ray, end, SKY_VIEW_CELLS).inscattered;
+    return march_squared(atmosphere, sunlight_table, isotropic_table, ray, end, SKY_VIEW_CELLS).inscattered;
 }
 
 SHADER_NAMESPACE_END
