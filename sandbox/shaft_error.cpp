@@ -20,9 +20,9 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Passes that shafts have no part in.
-constexpr std::array<std::string_view, 11> OTHER_PASSES{
-    "ground_light", "sun_shadow", "gbuffer", "ambient_occlusion", "ambient_occlusion_smooth", "lighting",
-    "exposure",     "accumulate", "display", "post_aa",           "show"};
+constexpr std::array<std::string_view, 13> OTHER_PASSES{
+    "ground_light", "sun_shadow", "gbuffer",    "pixel_work", "ambient_occlusion", "ambient_occlusion_smooth", "sky",
+    "lighting",     "exposure",   "accumulate", "display",    "post_aa",           "show"};
 
 double mean_of_channels(std::span<float const> rgba) {
     double sum = 0;

@@ -10,7 +10,7 @@ namespace alpenglow {
 
 namespace {
 
-constexpr std::uint32_t MOST_PASSES = 256;
+constexpr std::uint32_t MOST_PASSES = 1024;
 constexpr std::uint64_t DEVICE_PATIENCE_NS = 120'000'000'000; // software devices take seconds for a heavy frame
 constexpr std::uint32_t WORKGROUP = 8;                        // interop/language.h: WORKGROUP_SIZE
 
@@ -60,7 +60,7 @@ VkImageUsageFlags transient_usage(ImageShape const& shape) {
     if (shape.is_depth()) return common | VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
     if (shape.format == VK_FORMAT_R32G32B32A32_SFLOAT || shape.format == VK_FORMAT_R16G16B16A16_SFLOAT ||
         shape.format == VK_FORMAT_R32_SFLOAT || shape.format == VK_FORMAT_R32G32_SFLOAT)
-        return common | VK_IMAGE_USAGE_STORAGE_BIT;
+        return common | VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
     if (shape.format == VK_FORMAT_R8G8B8A8_UNORM)
         return common | VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
     return common | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
@@ -229,7 +229,7 @@ void Executor::prepare_work_lists(Recording& recording, ComputePass const& pass)
         if (!slot.list) continue;
         full_barrier(recording.commands());
         if (slot.use != ImageUse::storage_write) continue;
-        shader::WorkListHead const empty{0, 1, 1, {0, 0}};
+        shader::WorkListHead const empty{{{0, 1, 1}, {0, 1, 1}}, {0, 0}};
         vkCmdUpdateBuffer(recording.commands(), recording.work_lists[slot.list.index]->handle(), 0, sizeof(empty), &empty);
         full_barrier(recording.commands());
     }
@@ -340,9 +340,20 @@ void Executor::push_slots(Recording& recording, VkPipelineBindPoint point, VkPip
                                writes.data());
 }
 
+void Executor::clear_images(Recording& recording, ComputePass const& pass) {
+    for (Slot const& slot : pass.slots) {
+        if (slot.use != ImageUse::storage_clear) continue;
+        VkClearColorValue const value{{slot.clear, slot.clear, slot.clear, slot.clear}};
+        VkImageSubresourceRange const whole{VK_IMAGE_ASPECT_COLOR_BIT, 0, VK_REMAINING_MIP_LEVELS, 0, VK_REMAINING_ARRAY_LAYERS};
+        vkCmdClearColorImage(recording.commands(), recording.images[slot.image.index]->handle(), VK_IMAGE_LAYOUT_GENERAL, &value, 1, &whole);
+        full_barrier(recording.commands());
+    }
+}
+
 void Executor::record(Recording& recording, ComputePass const& pass) {
     Pipeline const& pipeline = pipelines_.get(recording.graph.recipe(pass));
     VkCommandBuffer const commands = recording.commands();
+    clear_images(recording, pass);
     prepare_work_lists(recording, pass);
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.handle());
     push_slots(recording, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.layout(), pass.slots);
@@ -350,8 +361,8 @@ void Executor::record(Recording& recording, ComputePass const& pass) {
         vkCmdPushConstants(commands, pipeline.layout(), VK_SHADER_STAGE_COMPUTE_BIT, 0,
                            static_cast<std::uint32_t>(pass.push.size()), pass.push.data());
     }
-    if (WorkListId const list = worked_off(pass)) {
-        vkCmdDispatchIndirect(commands, recording.work_lists[list.index]->handle(), 0);
+    if (Slot const* const work = worked_off(pass)) {
+        vkCmdDispatchIndirect(commands, recording.work_lists[work->list.index]->handle(), work->kind * sizeof(shader::WorkGroups));
         return;
     }
     Extent const groups = workgroups(pass);

@@ -56,6 +56,7 @@ private:
     void upload_constants(InFlight& slot, FrameGraph const& graph);
     std::vector<GpuImage*> resolve_images(FrameGraph const& graph);
     std::vector<GpuBuffer*> resolve_work_lists(FrameGraph const& graph);
+    void clear_images(Recording& recording, ComputePass const& pass);
     void prepare_work_lists(Recording& recording, ComputePass const& pass);
     void record_barriers_of(Recording& recording, std::vector<PlannedBarrier> const& barriers);
     void record(Recording& recording, ComputePass const& pass);

@@ -8,6 +8,7 @@
 #include "render/passes/exposure.h"
 #include "render/passes/gbuffer.h"
 #include "render/passes/lighting.h"
+#include "render/passes/pixel_work.h"
 #include "render/passes/post_aa.h"
 #include "render/passes/shadow_bounds.h"
 #include "render/passes/shadow_ceiling.h"
@@ -33,9 +34,10 @@ void build_frame(FrameGraph& graph, FrameInputs const& in) {
     for (int sample = 0; sample < in.settings.aa; ++sample) {
         if (sample > 0) frame = graph.add_constants(in.constants[static_cast<std::size_t>(sample)]);
         GBuffer const gbuffer = add_gbuffer(graph, in, frame, sample);
-        ImageId const open = add_ambient_occlusion(graph, in, frame, gbuffer, terrain_light.surfaces, sample);
+        WorkListId const pixels = add_pixel_work(graph, gbuffer.depth);
+        ImageId const open = add_ambient_occlusion(graph, in, frame, gbuffer, pixels, terrain_light.surfaces, sample);
         AirLayer const air = add_air(graph, in, frame, {gbuffer.depth, shadow, shadow_bounds, terrain_light.air}, tables, sample);
-        ImageId const lit = add_lighting(graph, in, frame, {gbuffer, open, air, terrain_light.surfaces}, shadow, tables, sample);
+        ImageId const lit = add_lighting(graph, in, frame, {gbuffer, open, air, terrain_light.surfaces, pixels}, shadow, tables, sample);
         if (sample == 0) add_exposure(graph, lit, exposure, in.settings, in.seconds);
         toned = add_accumulate(graph, lit, mean, exposure, in.settings, sample);
     }

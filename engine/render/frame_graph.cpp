@@ -45,11 +45,9 @@ PlannedPass planned(std::string const& name, RasterPass const& pass) {
 
 } // namespace
 
-WorkListId worked_off(ComputePass const& pass) {
-    for (Slot const& slot : pass.slots) {
-        if (slot.list && slot.use == ImageUse::sample) return slot.list;
-    }
-    return {};
+Slot const* worked_off(ComputePass const& pass) {
+    auto const found = std::ranges::find_if(pass.slots, [](Slot const& slot) { return slot.list && slot.use == ImageUse::sample; });
+    return found == pass.slots.end() ? nullptr : &*found;
 }
 
 ImageId FrameGraph::add_image(std::string name, ImageShape const& shape, ShowScale scale) {

@@ -33,13 +33,13 @@ struct ConstantsId {
     std::uint32_t index = ~0u;
 };
 
-/// A list of work that one pass fills and a later one does, an invocation for each entry: interop/work_list.h.
+/// A list of work of two kinds that one pass fills and later ones do, an invocation for each entry: interop/work_list.h.
 struct WorkListId {
     std::uint32_t index = ~0u;
     explicit operator bool() const { return index != ~0u; }
 };
 
-/// What a pass binds to a slot of set 0. Made by `sampled`, `stored`, `updated`, `constants`, `fills` and `works_off`.
+/// What a pass binds to a slot of set 0. Made by `sampled`, `stored`, `cleared`, `updated`, `constants`, `fills` and `works_off`.
 struct Slot {
     std::uint32_t slot = 0;
     VkDescriptorType type = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
@@ -49,6 +49,8 @@ struct Slot {
     ConstantsId constants;
     bool as_array = false;
     WorkListId list = {};
+    std::uint32_t kind = 0; ///< of the list's work
+    float clear = 0;        ///< of each channel, with ImageUse::storage_clear
 };
 
 inline Slot sampled(std::uint32_t slot, ImageId image, SamplerState const& sampler = LINEAR_CLAMP) {
@@ -62,6 +64,10 @@ inline Slot sampled_array(std::uint32_t slot, ImageId image, SamplerState const&
 inline Slot stored(std::uint32_t slot, ImageId image) {
     return {slot, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, image, ImageUse::storage_write, {}, {}, false};
 }
+/// Every texel is written by the pass or holds `value` in all channels.
+inline Slot cleared(std::uint32_t slot, ImageId image, float value) {
+    return {slot, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, image, ImageUse::storage_clear, {}, {}, false, {}, 0, value};
+}
 inline Slot updated(std::uint32_t slot, ImageId image) {
     return {slot, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, image, ImageUse::storage_update, {}, {}, false};
 }
@@ -72,8 +78,9 @@ inline Slot constants(std::uint32_t slot, ConstantsId id) {
 inline Slot fills(std::uint32_t slot, WorkListId list) {
     return {slot, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, {}, ImageUse::storage_write, {}, {}, false, list};
 }
-inline Slot works_off(std::uint32_t slot, WorkListId list) {
-    return {slot, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, {}, ImageUse::sample, {}, {}, false, list};
+/// The work of one kind.
+inline Slot works_off(std::uint32_t slot, WorkListId list, std::uint32_t kind) {
+    return {slot, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, {}, ImageUse::sample, {}, {}, false, list, kind};
 }
 
 template <typename T>
@@ -93,8 +100,8 @@ struct ComputePass {
     int variant = 0;                  ///< specialization constant 0, where the shader has one
 };
 
-/// The list that a pass works off, if any.
-WorkListId worked_off(ComputePass const& pass);
+/// The slot with the list that a pass works off; nullptr where there is none.
+Slot const* worked_off(ComputePass const& pass);
 
 /// What a raster pass draws with.
 class DrawContext {

@@ -20,6 +20,9 @@ ImageState state_of(ImageUse use) {
                 VK_ACCESS_2_SHADER_SAMPLED_READ_BIT};
     case ImageUse::storage_write:
         return {VK_IMAGE_LAYOUT_GENERAL, compute, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT};
+    case ImageUse::storage_clear:
+        return {VK_IMAGE_LAYOUT_GENERAL, compute | VK_PIPELINE_STAGE_2_CLEAR_BIT,
+                VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT | VK_ACCESS_2_TRANSFER_WRITE_BIT};
     case ImageUse::storage_update:
         return {VK_IMAGE_LAYOUT_GENERAL, compute,
                 VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT};
@@ -47,7 +50,8 @@ struct Tracked {
 };
 
 bool only_clears(ImageUse use) {
-    return use == ImageUse::storage_write || use == ImageUse::color_clear || use == ImageUse::depth_clear;
+    return use == ImageUse::storage_write || use == ImageUse::storage_clear || use == ImageUse::color_clear ||
+           use == ImageUse::depth_clear;
 }
 
 void refuse_repeats(PlannedPass const& pass, std::span<PlannedImage const> images) {

@@ -23,6 +23,7 @@ struct ImageId {
 enum class ImageUse {
     sample,         ///< in any shader
     storage_write,  ///< compute; every texel is written
+    storage_clear,  ///< compute, some texels; the others are cleared before the pass
     storage_update, ///< compute
     color_clear,
     color_update,

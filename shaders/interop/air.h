@@ -22,14 +22,14 @@
 
 #define AIR_FILL_ROWS 8                  // of coarse texels that an invocation of air_fill deals with
 
-#define AIR_WORK_SLOT 9                  // texels that air_fill leaves to air_repair: x and y, 16 bits each; of two kinds:
-#define SURFACE_WORK 0                   // rays that end on a surface, mostly inside the cascades
-#define SKY_WORK 1                       // rays that lead out of the air
+#define AIR_WORK_SLOT 9                  // texels that air_fill leaves to air_repair: x and y, 16 bits each; rays that end on a
+                                         // surface, mostly inside the cascades, and rays that lead out of the air
 
 SHADER_NAMESPACE_BEGIN
 struct AirPush {
     int stride;      // [pixels] from one texel to the next: texel (i, j) holds pixel (i, j) * stride
     float tolerance; // air_fill: of the air's light, and of what is behind it
+    int kind;        // air_repair: of the work, interop/work_list.h
 };
 SHADER_NAMESPACE_END
 #endif

@@ -25,7 +25,7 @@ layout(push_constant, scalar) uniform Push { AirPush push; };
 
 void main() {
     uint entry;
-    bool listed = listed_work(gl_WorkGroupID.x, gl_LocalInvocationID.x, entry);
+    bool listed = listed_work(uint(push.kind), entry);
     ivec2 texel = ivec2(entry & 0xffffu, entry >> 16);
     AirLight air = air_light(view_ray(texel * push.stride));
     if (!listed) return;

@@ -4,17 +4,20 @@
 #include "interop/frame_block.glsl"
 #include "encoding/octahedral.glsl"
 #include "interop/ambient_occlusion.h"
+#include "interop/work_list.h"
 #include "atmosphere/math.glsl"
 
 // How much of its cosine-weighted hemisphere a surface sees, by the horizons that the depth image shows in a few planes through
 // the view ray (Jimenez, Wu, Pesce and Jarabo 2016, "Practical Real-Time Strategies for Accurate Indirect Occlusion", Eqs. 6 to
 // 10). What hides light may be as far away as it looks wide: farther things are taken to have light behind them.
-layout(local_size_x = WORKGROUP_SIZE, local_size_y = WORKGROUP_SIZE) in;
+layout(local_size_x = WORK_LIST_THREADS) in;
 layout(binding = AMBIENT_OCCLUSION_NORMAL_SLOT) uniform sampler2D normal_image;
 layout(binding = AMBIENT_OCCLUSION_DEPTH_SLOT) uniform sampler2D depth_image;
 layout(binding = AMBIENT_OCCLUSION_TERRAIN_SLOT) uniform sampler2D terrain_light_image;
 layout(binding = AMBIENT_OCCLUSION_RESULT_SLOT, r32f) uniform writeonly image2D result;
 
+#define WORK_LIST_SLOT AMBIENT_OCCLUSION_WORK_SLOT
+#include "frame/pixel_work.glsl"
 #include "frame/terrain_light.glsl"
 
 const int PLANES = 2;      // of each pixel; its neighbours look into others
@@ -92,9 +95,11 @@ float visibility(ivec2 pixel, float depth) {
 }
 
 void main() {
-    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(pixel, imageSize(result)))) return;
-    float depth = texelFetch(depth_image, pixel, 0).r;
-    bool on = depth > 0.0 && (frame.flags & FRAME_AMBIENT_OCCLUSION) != 0;
-    imageStore(result, pixel, vec4(on ? visibility(pixel, depth) : 1.0));
+    PixelBlock block = listed_block(SURFACE_WORK);
+    int row = 0;
+    do {
+        ivec2 pixel = pixel_of(block, row, imageSize(result));
+        float depth = texelFetch(depth_image, pixel, 0).r, seen = visibility(pixel, depth);
+        if (block.listed && depth > 0.0) imageStore(result, pixel, vec4((frame.flags & FRAME_AMBIENT_OCCLUSION) != 0 ? seen : 1.0));
+    } while (++row < PIXEL_WORK_ROWS);
 }

@@ -7,9 +7,10 @@
 #include "encoding/octahedral.glsl"
 #include "interop/gbuffer.h"
 #include "interop/lighting.h"
+#include "interop/work_list.h"
 #include "surface/brdf.glsl"
 
-layout(local_size_x = WORKGROUP_SIZE, local_size_y = WORKGROUP_SIZE) in;
+layout(local_size_x = WORK_LIST_THREADS) in;
 layout(set = 0, binding = LIGHTING_ALBEDO_SLOT) uniform sampler2D albedo_image;
 layout(set = 0, binding = LIGHTING_NORMAL_SLOT) uniform sampler2D normal_image;
 layout(set = 0, binding = LIGHTING_MATERIAL_SLOT) uniform sampler2D material_image;
@@ -24,8 +25,10 @@ layout(set = 0, binding = LIGHTING_TERRAIN_SLOT) uniform sampler2D terrain_light
 layout(set = 0, binding = LIGHTING_LIT_SLOT, rgba32f) uniform writeonly image2D lit_image;
 layout(push_constant, scalar) uniform Push { LightingPush push; };
 
-#include "frame/celestial.glsl"
+#define WORK_LIST_SLOT LIGHTING_WORK_SLOT
+#include "frame/air_layer.glsl"
 #include "frame/pixel_ray.glsl"
+#include "frame/pixel_work.glsl"
 #include "frame/sun_shadow.glsl"
 #include "frame/terrain_light.glsl"
 #include "models/@AIR_MODEL@.glsl" // CMakeLists.txt: once with each file of that folder
@@ -109,23 +112,20 @@ vec3 cascade_color(vec2 light) {
     return place.last_inside < 0.0 ? vec3(0.5) : COLORS[int(place.layer)];
 }
 
-void main() {
-    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(pixel, imageSize(lit_image)))) return;
+void light_pixel(ivec2 pixel, bool listed) {
     ViewRay ray = view_ray(pixel);
-    bool ground = ray.distance >= 0.0;
-    AirLight air = no_air_light();
-    if (has_flag(FRAME_AIR))
-        air = AirLight(texelFetch(inscattered_image, pixel, 0).rgb, texelFetch(transmittance_image, pixel, 0).rgb);
-    vec3 in_front = air.inscattered * frame.atmosphere.solar_irradiance;
-    AirPoint place = place_at(frame.atmosphere, ray.air, ray.distance);
-    vec3 behind = ground ? surface_radiance(ray, place)
-                         : celestial_radiance(pixel, in_front, push.celestial_turn);
-    if (has_flag(FRAME_STUDIO) && !ground) behind = frame.backdrop;
-    vec3 radiance = behind * air.transmittance + in_front;
-    if (push.show == LIGHTING_SHOW_CASCADES && ground) {
-        float grey = dot(radiance, vec3(0.3, 0.6, 0.1));
-        radiance = grey * 2.0 * cascade_color(ray.light.xy * ray.distance);
-    }
-    imageStore(lit_image, pixel, vec4(radiance, 1.0));
+    AirLight air = air_before(pixel);
+    vec3 radiance = surface_radiance(ray, place_at(frame.atmosphere, ray.air, ray.distance)) * air.transmittance +
+                    air.inscattered * frame.atmosphere.solar_irradiance;
+    if (push.show == LIGHTING_SHOW_CASCADES)
+        radiance = dot(radiance, vec3(0.3, 0.6, 0.1)) * 2.0 * cascade_color(ray.light.xy * ray.distance);
+    if (listed && ray.distance >= 0.0) imageStore(lit_image, pixel, vec4(radiance, 1.0));
+}
+
+void main() {
+    PixelBlock block = listed_block(SURFACE_WORK);
+    ivec2 size = imageSize(lit_image);
+    int row = 0;
+    do light_pixel(pixel_of(block, row, size), block.listed);
+    while (++row < PIXEL_WORK_ROWS);
 }

@@ -34,7 +34,7 @@ TEST(Plan, the_first_write_starts_from_an_undefined_layout) {
 }
 
 TEST(Plan, what_was_written_is_waited_for_before_it_is_read) {
-    for (ImageUse const write : {ImageUse::storage_write, ImageUse::color_clear, ImageUse::depth_clear}) {
+    for (ImageUse const write : {ImageUse::storage_write, ImageUse::storage_clear, ImageUse::color_clear, ImageUse::depth_clear}) {
         Plan const result = plan(TWO_IMAGES, std::vector<PlannedPass>{{"make", {{id(0), write}}}, {"use", {{id(0), ImageUse::sample}}}});
         EXPECT_EQ(result.barriers[1], std::vector{between(0, write, ImageUse::sample)});
     }
@@ -129,11 +129,12 @@ TEST(FrameGraph, a_slot_bound_twice_is_refused_by_number) {
 TEST(FrameGraph, a_list_of_work_that_nobody_filled_is_refused_by_name) {
     FrameGraph graph;
     WorkListId const list = graph.add_work_list("chores", 16);
-    ComputePass const fill{"find", {}, {fills(3, list)}, {1, 1}}, work{"do", {}, {works_off(3, list)}, {1, 1}};
+    ComputePass const fill{"find", {}, {fills(3, list)}, {1, 1}}, work{"do", {}, {works_off(3, list, 1)}, {1, 1}};
     expect_graph_error({"do", "chores"}, [&] { graph.add(work); });
     graph.add(fill);
     graph.add(work);
-    EXPECT_EQ(worked_off(work).index, list.index);
+    ASSERT_TRUE(worked_off(work));
+    EXPECT_EQ(worked_off(work)->list.index, list.index);
     EXPECT_FALSE(worked_off(fill));
 }
 

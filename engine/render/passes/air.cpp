@@ -13,8 +13,6 @@ namespace {
 /// What interpolated light may be off by, as a share of the air's light or of what is behind it: docs/shafts.md.
 constexpr float TOLERANCE = 0.006f, FAST_TOLERANCE = 0.1f;
 
-constexpr std::size_t WORK_LIST_MOST = std::size_t{WORK_LIST_MOST_GROUPS - 1} * WORK_LIST_THREADS; // one group may be begun for each kind
-
 /// Texels whose pixels reach to the picture's end or beyond.
 std::uint32_t side_of(std::uint32_t pixels, int stride) {
     return stride == 1 ? pixels : (pixels - 1) / static_cast<std::uint32_t>(stride) + 2;
@@ -47,7 +45,7 @@ public:
                                        sampled(AIR_TERRAIN_SLOT, obstacles.terrain_air),
                                        sampled(AIR_SHADOW_BOUNDS_SLOT, obstacles.shadow_bounds, NEAREST_CLAMP)};
         AirLayer layer = add_layer(stride);
-        march("air", in_.air.model.air, layer, shades, ImageUse::storage_write, stride, extent(stride));
+        march("air", in_.air.model.air, layer, shades, stored, push(stride), extent(stride));
         if (stride == 1) return layer;
         ImageId const mean = add_mean(layer);
         for (; stride > 1; stride /= 2) layer = add_between(layer, mean, obstacles.depth, shades, stride / 2);
@@ -79,10 +77,9 @@ private:
         return mean;
     }
 
-    AirLayer add_between(AirLayer const& coarse, ImageId mean, ImageId depth, std::vector<Slot> shades, int stride) {
+    AirLayer add_between(AirLayer const& coarse, ImageId mean, ImageId depth, std::vector<Slot> const& shades, int stride) {
         AirLayer const made = add_layer(stride);
-        std::size_t const texels = std::min<std::size_t>(extent(stride).pixels(), WORK_LIST_MOST);
-        WorkListId const list = graph_.add_work_list("air_work_" + std::to_string(stride), texels);
+        WorkListId const list = graph_.add_work_list("air_work_" + std::to_string(stride), extent(stride).pixels());
         graph_.add(
             ComputePass{"air_fill",
                         shaders::air_fill_comp,
@@ -93,23 +90,25 @@ private:
                          stored(AIR_TRANSMITTANCE_SLOT, made.transmittance), fills(AIR_WORK_SLOT, list)},
                         fill_threads(extent(stride)),
                         bytes_of(push(stride))});
-        shades.push_back(works_off(AIR_WORK_SLOT, list));
-        march("air_repair", in_.air.model.air_repair, made, shades, ImageUse::storage_update, stride, {});
+        for (int const kind : {SURFACE_WORK, SKY_WORK}) {
+            std::vector<Slot> slots = shades;
+            slots.push_back(works_off(AIR_WORK_SLOT, list, static_cast<std::uint32_t>(kind)));
+            march("air_repair", in_.air.model.air_repair, made, std::move(slots), updated, push(stride, kind), {});
+        }
         return made;
     }
 
-    shader::AirPush push(int stride) const {
-        return {stride, in_.settings.shafts == "fast" ? FAST_TOLERANCE : TOLERANCE};
+    shader::AirPush push(int stride, int kind = 0) const {
+        return {stride, in_.settings.shafts == "fast" ? FAST_TOLERANCE : TOLERANCE, kind};
     }
 
-    void march(std::string name, ShaderCode const& shader, AirLayer const& made, std::vector<Slot> slots, ImageUse use,
-               int stride, Extent threads) {
-        auto const out = use == ImageUse::storage_update ? updated : stored;
+    void march(std::string name, ShaderCode const& shader, AirLayer const& made, std::vector<Slot> slots,
+               Slot (*out)(std::uint32_t, ImageId), shader::AirPush const& push, Extent threads) {
         slots.insert(slots.end(), slots_.begin(), slots_.end());
         slots.push_back(out(AIR_INSCATTERED_SLOT, made.inscattered));
         slots.push_back(out(AIR_TRANSMITTANCE_SLOT, made.transmittance));
         int const variant = in_.air.model.air_variant ? in_.air.model.air_variant(in_) : 0;
-        graph_.add(ComputePass{std::move(name), shader, std::move(slots), threads, bytes_of(push(stride)), variant});
+        graph_.add(ComputePass{std::move(name), shader, std::move(slots), threads, bytes_of(push), variant});
     }
 
     FrameGraph& graph_;

@@ -1,13 +1,14 @@
 #include "render/passes/ambient_occlusion.h"
 
 #include "interop/ambient_occlusion.h"
+#include "interop/work_list.h"
 
 #include <embedded_shaders.h>
 
 namespace alpenglow {
 
 ImageId add_ambient_occlusion(FrameGraph& graph, FrameInputs const& in, ConstantsId frame, GBuffer const& gbuffer,
-                              ImageId terrain_light, int sample) {
+                              WorkListId pixels, ImageId terrain_light, int sample) {
     ImageShape const shape{VK_FORMAT_R32_SFLOAT, in.extent};
     auto const image = [&](char const* name) {
         return sample == 0 ? graph.add_image(name, shape, ShowScale::unit) : graph.find(name);
@@ -19,14 +20,16 @@ ImageId add_ambient_occlusion(FrameGraph& graph, FrameInputs const& in, Constant
                            sampled(AMBIENT_OCCLUSION_NORMAL_SLOT, gbuffer.normal, NEAREST_CLAMP),
                            sampled(AMBIENT_OCCLUSION_DEPTH_SLOT, gbuffer.depth, NEAREST_CLAMP),
                            sampled(AMBIENT_OCCLUSION_TERRAIN_SLOT, terrain_light),
-                           stored(AMBIENT_OCCLUSION_RESULT_SLOT, noisy)},
-                          in.extent});
+                           works_off(AMBIENT_OCCLUSION_WORK_SLOT, pixels, SURFACE_WORK),
+                           cleared(AMBIENT_OCCLUSION_RESULT_SLOT, noisy, 1)},
+                          {}});
     graph.add(ComputePass{"ambient_occlusion_smooth",
                           shaders::ambient_occlusion_smooth_comp,
                           {sampled(AMBIENT_OCCLUSION_NOISY_SLOT, noisy, NEAREST_CLAMP),
                            sampled(AMBIENT_OCCLUSION_NEAR_SLOT, gbuffer.depth, NEAREST_CLAMP),
-                           stored(AMBIENT_OCCLUSION_SMOOTH_SLOT, smooth)},
-                          in.extent});
+                           works_off(AMBIENT_OCCLUSION_WORK_SLOT, pixels, SURFACE_WORK),
+                           cleared(AMBIENT_OCCLUSION_SMOOTH_SLOT, smooth, 1)},
+                          {}});
     return smooth;
 }
 

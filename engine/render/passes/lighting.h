@@ -9,6 +9,7 @@ struct LitSurfaces {
     ImageId open; ///< the share of the light from all round that reaches them
     AirLayer air; ///< in front of them
     ImageId terrain_light; ///< around them
+    WorkListId pixels;     ///< that show them or the sky
 };
 
 /// Radiance of each pixel, relative to the sun's irradiance: the surface under sun and sky, and the air in front of it.
