@@ -14,14 +14,13 @@ struct DiffuseLight {
     vec3 gain[AIR_COMPONENTS]; // what each component scatters of it, per unit of its scattering, relative to the mean
     vec3 glow;                 // 0 to 1: the share of the mean that comes from around the sun
     float known;               // 0 to 1: the share of it that knows what meshes hide
-    float mapped;              // 0 to 1: the share of it that comes from a map of the light on terrain
 };
 
 INLINE DiffuseLight no_diffuse_light() {
     DiffuseLight none;
     none.root = vec3(0.0f);
     none.glow = vec3(0.0f);
-    none.known = none.mapped = 0.0f;
+    none.known = 0.0f;
     for (int i = 0; i < AIR_COMPONENTS; ++i) none.gain[i] = vec3(0.0f);
     return none;
 }
@@ -73,7 +72,6 @@ INLINE DiffuseLight diffuse_light_in(IN(Atmosphere) atmosphere, IN(DiffuseRun) r
     light.root = max(on_parabola(run.near.root, run.middle.root, run.far.root, share), vec3(0.0f));
     light.glow = on_parabola(run.near.glow, run.middle.glow, run.far.glow, share);
     light.known = on_lines(run.near.known, run.middle.known, run.far.known, share);
-    light.mapped = on_lines(run.near.mapped, run.middle.mapped, run.far.mapped, share);
     for (int i = 0; i < AIR_COMPONENTS; ++i)
         if (component_scatters(atmosphere, i))
             light.gain[i] = on_parabola(run.near.gain[i], run.middle.gain[i], run.far.gain[i], share);

@@ -6,17 +6,16 @@
 SHADER_NAMESPACE_BEGIN
 
 // Diffuse light where meshes hide the share 1 - `seen` of the sun. The glow around the sun is hidden with it, and the phases' series say
-// what of it was scattered into the ray. Of light from a map, which has no glow, a part is lost of what goes nearly straight on. Where
-// nothing is known of what meshes hide, they hide more: most of what a forward phase scatters on, and of an even phase's the part
-// that came from there. These two parts are tuned against the path tracer in valleys.
-CONSTANT float SHADED_FORWARD = 0.5f, SHADED_SHARE = 0.4f;
+// what of it was scattered into the ray; light from a map has none. Where nothing is known of what meshes hide, they hide more: most of
+// what a forward phase scatters on, and of an even phase's the part that came from there. That part is tuned against the path tracer
+// in valleys.
+CONSTANT float SHADED_SHARE = 0.4f;
 
 INLINE DiffuseLight shaded_light(IN(Atmosphere) atmosphere, IN(RayPhases) phases, DiffuseLight light, float seen) {
     for (int i = 0; i < AIR_COMPONENTS; ++i)
         if (component_scatters(atmosphere, i)) {
             PhaseMoments phase = AIR_CONTENT(atmosphere).components[i].moments;
-            float forward = phase.degree[1] / max(phase.degree[0], 1e-6f);
-            vec3 without_glow = max(light.gain[i] - light.glow * phases.series[i], vec3(0.0f)) * (1.0f - SHADED_FORWARD * light.mapped * forward);
+            vec3 without_glow = max(light.gain[i] - light.glow * phases.series[i], vec3(0.0f));
             vec3 shaded = mix(light.gain[i] * (SHADED_SHARE * (phase.degree[0] - phase.degree[1])), without_glow, light.known);
             light.gain[i] = mix(shaded, light.gain[i], seen);
         }

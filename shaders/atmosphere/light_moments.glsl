@@ -127,14 +127,17 @@ INLINE vec3 irradiance_gain(LightByDegree light) {
                vec3(0.0f));
 }
 
-// Mean radiance in a lobe around the direction, relative to m_0. `alpha` is GGX's: a narrow lobe is a Gaussian whose
-// variance is 2 alpha^2, and loses exp(-l (l + 1) alpha^2) of degree l (Ramamoorthi and Hanrahan 2001, "A Signal-Processing
-// Framework", give the same for small l); the widest is near the cosine's, 2/3 and 1/4.
-INLINE vec3 lobe_gain(LightByDegree light, float alpha) {
-    float width = alpha * alpha / (1.0f + 4.0f * alpha * alpha);
-    return max(vec3(1.0f) + exp(-2.0f * width) * light.first + exp(-6.0f * width) * light.second +
-                   exp(-12.0f * width) * light.third + exp(-20.0f * width) * light.fourth,
-               vec3(0.0f));
+// What is left of degrees 1 to 4 in the mean over a lobe whose directions have a mean of this length: that is degree 1's, and the others
+// as of a Gaussian on the sphere, which loses exp(-l (l + 1) w) of degree l. The cosine's lobe keeps 2/3 and 1/4.
+INLINE vec4 lobe_shares(float mean_length) {
+    float third = mean_length * mean_length * mean_length;
+    return vec4(mean_length, third, third * third, third * third * third * mean_length);
+}
+
+// Mean radiance in a lobe around the direction, relative to m_0.
+INLINE vec3 lobe_gain(LightByDegree light, float mean_length) {
+    vec4 kept = lobe_shares(mean_length);
+    return max(vec3(1.0f) + kept.x * light.first + kept.y * light.second + kept.z * light.third + kept.w * light.fourth, vec3(0.0f));
 }
 
 // Row of the first tile: the table's upper and lower half rows belong to the edge, so that tiles do not mix.

@@ -72,7 +72,6 @@ DiffuseLight light_node(Atmosphere atmosphere, Shade shade, AirRay ray, float t)
             light.gain[i] = mix(light.gain[i], gain, terrain.share);
         }
     light.glow *= 1.0 - terrain.share;
-    light.mapped = terrain.share;
     light.known = terrain.known;
     return light;
 }

@@ -5,6 +5,7 @@
 #define ALPENGLOW_FRAME_AIR_MODEL
 #include "atmosphere/geometry.glsl"
 #include "atmosphere/segment_integral.glsl"
+#include "surface/brdf.glsl"
 
 // A pixel's ray, which starts at the camera.
 struct ViewRay {
@@ -19,14 +20,19 @@ struct ViewRay {
 struct SurfaceLight {
     vec3 sun; // share of the direct sun that air and planet let through; meshes shade it elsewhere
     vec3 sky; // irradiance from everything else: the sky, and what level ground all around gives back
-    vec3 mirrored; // of that, radiance [1/sr] around the direction that the surface reflects from
+    Mirrored mirrored; // of that, what its gloss reflects
 };
 
-// A surface's directions, by their cosines with the zenith and with the direction to the sun.
+// A direction by its cosines with the zenith and with the direction to the sun, and how closely others lie around it, 1 being at it.
+struct LobeTowards {
+    float up, sun;
+    float mean_length;
+};
+
+// Of a surface: its normal, and where the light comes from that its gloss reflects to the camera, as surface/brdf.glsl has it.
 struct SurfaceDirections {
     float normal_up, normal_sun;
-    float mirror_up, mirror_sun; // middle of what its gloss reflects towards the camera
-    float alpha;                 // width of that: GGX
+    LobeTowards plain, grazing;
 };
 
 // What the air adds between the camera and the end of the ray, relative to the sun's irradiance above the air [1/sr], and

@@ -48,4 +48,9 @@ vec2 terrain_azimuth(float i) {
     return vec2(cos(angle), sin(angle));
 }
 
+// From the place on [m], the n-th end of the shade on the air, and back.
+float terrain_shade(float n) { return TERRAIN_SHADE * (exp2(n) - 1.0); }
+
+float shade_of_distance(float distance) { return min(log2(1.0 + distance / TERRAIN_SHADE), float(TERRAIN_SHADES - 1)); }
+
 #endif

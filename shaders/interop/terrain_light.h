@@ -2,7 +2,7 @@
 // above, in axes of its own: x and y level, z up, from the scene's origin [m]. docs/terrain_light.md.
 // Pass `terrain_above`: the G-buffer of the scene from above; depth grows with the height. Row 0 is at the largest y.
 // Pass `terrain_sky`: rgba32f, radiance of sky and planet without terrain: a column for each azimuth and band of
-// elevations, a row for each height.
+// elevations, a row for each height, in tiles one above the other: where terrain shades the air from the place on for so far.
 // Pass `terrain_glow`: rgba32f, radiance of the terrain under sun and open sky; alpha: its height z [m].
 // `terrain_facing`: rgba16f, its normal in the map's axes.
 // Pass `terrain_light`: rgba16f in tiles one above the other, irradiance as ten spherical harmonics of three channels
@@ -16,6 +16,8 @@
 #define TERRAIN_AZIMUTHS 8
 #define TERRAIN_BANDS 11
 #define TERRAIN_ALTITUDES 8
+#define TERRAIN_SHADES 7        // from 0 on; the n-th is TERRAIN_SHADE * (2^n - 1) [m]
+#define TERRAIN_SHADE 500.0
 #define TERRAIN_LIGHT_TILES 8
 #define TERRAIN_AIR_TILES 4
 #define TERRAIN_AIR_TEXELS 8 // of the light, to each side of a texel of the air's
@@ -37,6 +39,7 @@
 #define TERRAIN_LIGHT_GLOW_SLOT 2   // in
 #define TERRAIN_LIGHT_FACING_SLOT 3 // in
 #define TERRAIN_LIGHT_RESULT_SLOT 4 // out
+#define TERRAIN_LIGHT_CEILING_SLOT 5 // in, interop/shadow_ceiling.h
 
 #define TERRAIN_AIR_LIGHT_SLOT 1  // in, linear filter, clamped to the edge
 #define TERRAIN_AIR_RESULT_SLOT 2 // out

@@ -15,11 +15,15 @@ layout(set = 0, binding = MARCH_TRANSMITTANCE_SLOT) uniform sampler2D transmitta
 AirLight air_light(ViewRay ray) { return march_air(ray.pixel, ray.air, ray.light, ray.distance); }
 #endif
 
+vec3 lobe_light(LightMoments around, LobeTowards lobe, float mu_s) {
+    return lobe_gain(surface_light_by_degree(around, lobe.up, mu_s, lobe.sun), lobe.mean_length);
+}
+
 SurfaceLight surface_light(AirPoint place, SurfaceDirections at) {
     vec3 sun = sample_sun_transmittance(sunlight_table, frame.atmosphere, place.altitude, place.mu_s);
     LightMoments around = sample_surface_light(multiple_scattering_table, frame.atmosphere, place.altitude, place.mu_s);
     LightByDegree normal = surface_light_by_degree(around, at.normal_up, place.mu_s, at.normal_sun);
-    LightByDegree mirror = surface_light_by_degree(around, at.mirror_up, place.mu_s, at.mirror_sun);
     vec3 mean = power32(around.root);
-    return SurfaceLight(sun, mean * irradiance_gain(normal), mean * lobe_gain(mirror, at.alpha));
+    return SurfaceLight(sun, mean * irradiance_gain(normal),
+                        Mirrored(mean * lobe_light(around, at.plain, place.mu_s), mean * lobe_light(around, at.grazing, place.mu_s)));
 }

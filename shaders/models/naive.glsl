@@ -53,5 +53,5 @@ AirLight air_light(ViewRay view) {
 
 SurfaceLight surface_light(AirPoint place, SurfaceDirections at) {
     AirRay here = make_air_ray(frame.atmosphere.ground_radius, place.altitude, 1.0, place.mu_s, place.mu_s);
-    return SurfaceLight(march_to_sun(frame.atmosphere, here, 0.0, frame.samples), vec3(0.0), vec3(0.0));
+    return SurfaceLight(march_to_sun(frame.atmosphere, here, 0.0, frame.samples), vec3(0.0), Mirrored(vec3(0.0), vec3(0.0)));
 }

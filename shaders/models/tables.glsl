@@ -56,5 +56,5 @@ SurfaceLight surface_light(AirPoint place, SurfaceDirections at) {
     vec3 sun = sample_sun_transmittance(sunlight_table, frame.atmosphere, place.altitude, place.mu_s);
     vec3 ground = (sky + sun * max(place.mu_s, 0.0)) * frame.atmosphere.ground_albedo;
     vec3 irradiance = sky * (0.5 + 0.5 * at.normal_up) + ground * (0.5 - 0.5 * at.normal_up);
-    return SurfaceLight(sun, irradiance, irradiance / PI);
+    return SurfaceLight(sun, irradiance, Mirrored(irradiance / PI, irradiance / PI));
 }

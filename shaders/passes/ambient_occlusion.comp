@@ -18,7 +18,7 @@ layout(binding = AMBIENT_OCCLUSION_RESULT_SLOT, r32f) uniform writeonly image2D 
 
 #define WORK_LIST_SLOT AMBIENT_OCCLUSION_WORK_SLOT
 #include "frame/pixel_work.glsl"
-#include "frame/terrain_light.glsl"
+#include "frame/terrain_point.glsl"
 
 const int PLANES = 2;      // of each pixel; its neighbours look into others
 const int STEPS = 6;       // to each side, closer together near the pixel

@@ -49,16 +49,13 @@ const vec2 HIDDEN_GLOW = vec2(0.94, 0.99);
 // in the same light, which reflect it on and on.
 vec3 open_share(Surface surface, float open) { return vec3(open) / (vec3(1.0) - surface.diffuse * (1.0 - open)); }
 
-#ifdef LIGHT_OF_TERRAIN
-// Puts the map's light from all round in place of that over level ground, as far as it knows it; the result is that share.
-float light_on_terrain(inout SurfaceLight lit, vec3 relative, vec3 normal) {
-    TerrainPoint point = terrain_point(relative);
-    vec3 sky = mix(lit.sky, terrain_irradiance(point.uv, normal), point.share);
-    lit.mirrored *= sky / max(lit.sky, vec3(1e-20));
-    lit.sky = sky;
-    return point.share;
+// A mirror that faces the sun behind a mesh.
+vec3 without_glow(vec3 mirrored, vec3 sky, vec3 middle, float hidden) {
+    float sunward = smoothstep(HIDDEN_GLOW.x, HIDDEN_GLOW.y, cosine(middle, frame.to_sun));
+    return mix(mirrored, min(mirrored, sky / PI), sunward * hidden);
 }
-#endif
+
+LobeTowards lobe_towards(Lobe lobe, vec3 up) { return LobeTowards(cosine(lobe.middle, up), cosine(lobe.middle, frame.to_sun), lobe.mean_length); }
 
 // Light that leaves a surface towards the camera, for a unit of the sun's irradiance above the air, and the shadow on it.
 vec3 surface_radiance(ViewRay ray, AirPoint place) {
@@ -75,30 +72,31 @@ vec3 surface_radiance(ViewRay ray, AirPoint place) {
     vec3 up = normalize(frame.camera_up * (frame.atmosphere.ground_radius + frame.camera_altitude) + ray.direction * ray.distance);
     float normal_up = cosine(shading, up);
     SurfaceLight lit;
-    vec3 mirror = mirror_direction(surface, shading, to_camera);
-    float mirror_sun = cosine(mirror, frame.to_sun);
+    SpecularLobes lobes = specular_lobes(surface.alpha, shading, to_camera);
     if (has_flag(FRAME_HAS_AIR)) {
-        lit = surface_light(place, SurfaceDirections(normal_up, cosine(shading, frame.to_sun), cosine(mirror, up), mirror_sun, surface.alpha));
+        lit = surface_light(place, SurfaceDirections(normal_up, cosine(shading, frame.to_sun), lobe_towards(lobes.plain, up), lobe_towards(lobes.grazing, up)));
     } else if (has_flag(FRAME_STUDIO)) {
         lit.sun = vec3(1.0);
         lit.sky = frame.fill;
-        lit.mirrored = frame.fill / PI;
+        lit.mirrored = Mirrored(frame.fill / PI, frame.fill / PI);
     } else {
         lit.sun = vec3(sun_above_horizon(frame.atmosphere, place.altitude, place.mu_s));
         lit.sky = lit.sun * max(place.mu_s, 0.0) * frame.atmosphere.ground_albedo * (0.5 - 0.5 * normal_up);
-        lit.mirrored = lit.sky / PI;
+        lit.mirrored = Mirrored(lit.sky / PI, lit.sky / PI);
     }
     float visibility = 1.0;
     if (has_flag(FRAME_SHADOWS)) {
         visibility = surface_visibility(light, frame.light_from_world * facing);
-        float sunward = smoothstep(HIDDEN_GLOW.x, HIDDEN_GLOW.y, mirror_sun);
-        lit.mirrored = mix(lit.mirrored, min(lit.mirrored, lit.sky / PI), sunward * (1.0 - visibility));
+        lit.mirrored.plain = without_glow(lit.mirrored.plain, lit.sky, lobes.plain.middle, 1.0 - visibility);
+        lit.mirrored.grazing = without_glow(lit.mirrored.grazing, lit.sky, lobes.grazing.middle, 1.0 - visibility);
         visibility *= smoothstep(0.0, 0.02, dot(facing, frame.to_sun)); // what turns away from the sun is in its own shadow
     }
 
     float shaded_sky = has_flag(FRAME_HAS_AIR) ? mix(SHADED_SKY, 1.0, visibility) : 1.0; // without air no sky is bright around the sun
 #ifdef LIGHT_OF_TERRAIN
-    shaded_sky = mix(shaded_sky, 1.0, light_on_terrain(lit, ray.direction * ray.distance, shading));
+    TerrainPoint terrain = terrain_point(ray.direction * ray.distance);
+    mix_terrain_light(lit, terrain, shading, lobes);
+    shaded_sky = mix(shaded_sky, 1.0, terrain.share);
 #endif
     float n_v = clamp(dot(shading, to_camera), 0.0, 1.0);
     vec3 radiance = reflect_light(surface, shading, to_camera, frame.to_sun) * lit.sun * visibility +

@@ -1,6 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
+#extension GL_KHR_shader_subgroup_vote : require
+#include "atmosphere/shadow_ceiling.glsl"
 #include "frame/terrain_map.glsl"
 
 // From each texel the terrain is followed outwards in each azimuth: what rises above all before it is seen, and above the last
@@ -9,6 +11,7 @@ layout(local_size_x = WORKGROUP_SIZE, local_size_y = WORKGROUP_SIZE) in;
 layout(binding = TERRAIN_LIGHT_SKY_SLOT) uniform sampler2D sky_image;
 layout(binding = TERRAIN_LIGHT_GLOW_SLOT) uniform sampler2D glow_image;
 layout(binding = TERRAIN_LIGHT_FACING_SLOT) uniform sampler2D facing_image;
+layout(binding = TERRAIN_LIGHT_CEILING_SLOT) uniform sampler2D ceiling_map;
 layout(binding = TERRAIN_LIGHT_RESULT_SLOT, rgba16f) uniform writeonly image2D result;
 
 const int STEPS = 20;                     // the last is 600 texels away
@@ -60,12 +63,45 @@ Horizon add_terrain(inout Sector sector, ivec2 at, vec2 towards) {
     return horizon;
 }
 
-void add_sky(inout Sector sector, float horizon, int azimuth, float v) {
+// The shadow of terrain over a place, in the map's axes.
+struct Shade {
+    vec3 sun, over; // over: at right angles to the sun's rays, upwards
+    float depth;    // how far the shadow reaches along `over` [m]
+    float crest;    // and to what casts it along the rays [m]
+};
+
+Shade shade_over(ivec2 at, float z) {
+    vec2 place = terrain_middle(at);
+    vec3 relative = frame.terrain.origin + frame.terrain.x * place.x + frame.terrain.y * place.y + frame.terrain.z * z;
+    CeilingPlace in_ceiling = ceiling_surface_place(frame.ceiling, frame.light_from_world * relative);
+    vec2 caster = textureLod(ceiling_map, in_ceiling.uv, 0.0).rg;
+    vec3 sun = terrain_axes(frame.to_sun), over = normalize(vec3(-sun.xy * sun.z, max(1.0 - sun.z * sun.z, 1e-6)));
+    float depth = max(caster.x - in_ceiling.over, 0.0);
+    return Shade(sun, over, depth > frame.ceiling.deepest ? 0.0 : depth, max(caster.y - in_ceiling.along, 0.0));
+}
+
+// How far air is shaded along a ray [m]: until it leaves the shadow above, or towards the sun passes what casts it.
+float shaded_distance(Shade shade, vec3 direction) {
+    float above = shade.depth / max(dot(direction, shade.over), 1e-4), beyond = shade.crest / max(dot(direction, shade.sun), 1e-4);
+    return min(above, beyond);
+}
+
+// Radiance of the sky in an azimuth's band, above the horizon.
+vec3 sky_radiance(float azimuth_and_band, float v, float shade) {
+    float u = (azimuth_and_band + 0.5) / float(TERRAIN_AZIMUTHS * TERRAIN_BANDS), lower = min(floor(shade), float(TERRAIN_SHADES - 2));
+    float border = 0.5 / float(TERRAIN_ALTITUDES), row = clamp(v, border, 1.0 - border) + lower;
+    return mix(textureLod(sky_image, vec2(u, row / float(TERRAIN_SHADES)), 0.0).rgb,
+               textureLod(sky_image, vec2(u, (row + 1.0) / float(TERRAIN_SHADES)), 0.0).rgb, shade - lower);
+}
+
+void add_sky(inout Sector sector, float horizon, int azimuth, float v, Shade shade) {
+    vec2 level = terrain_azimuth(float(azimuth));
     int band = 0;
+    while (band < TERRAIN_BANDS - 1 && subgroupAll(TERRAIN_BAND_EDGES[band + 1] <= horizon)) ++band;
     do {
-        float u = (float(azimuth * TERRAIN_BANDS + band) + 0.5) / float(TERRAIN_AZIMUTHS * TERRAIN_BANDS);
-        float high = TERRAIN_BAND_EDGES[band + 1];
-        add_light(sector, textureLod(sky_image, vec2(u, v), 0.0).rgb, clamp(horizon, TERRAIN_BAND_EDGES[band], high), high);
+        float high = TERRAIN_BAND_EDGES[band + 1], low = clamp(horizon, TERRAIN_BAND_EDGES[band], high), s = 0.5 * (low + high);
+        float shaded = shaded_distance(shade, vec3(level * sqrt(max(1.0 - s * s, 0.0)), s));
+        add_light(sector, sky_radiance(float(azimuth * TERRAIN_BANDS + band), v, shade_of_distance(shaded)), low, high);
     } while (++band < TERRAIN_BANDS);
 }
 
@@ -81,13 +117,14 @@ void main() {
     float z = texelFetch(glow_image, at, 0).a, depth = clamp((z - frame.terrain.bottom) / frame.terrain.range, 0.0, 1.0);
     vec3 light[COEFFICIENTS];
     for (int i = 0; i < COEFFICIENTS; ++i) light[i] = vec3(0.0);
+    Shade shade = shade_over(at, z);
     float rim = 0.0;
     int azimuth = 0;
     do {
         vec2 d = terrain_azimuth(float(azimuth));
         Sector sector = empty_sector();
         Horizon horizon = add_terrain(sector, at, d);
-        add_sky(sector, horizon.sine, azimuth, depth);
+        add_sky(sector, horizon.sine, azimuth, depth, shade);
         rim += max(horizon.rise, 0.0) / float(TERRAIN_AZIMUTHS);
         light[0] += DEGREE_0 * sector.one;
         light[1] += DEGREE_1 * d.x * sector.c;

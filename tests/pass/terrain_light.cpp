@@ -70,8 +70,8 @@ TEST_F(TerrainLightPass, level_ground_is_lit_as_without_a_map) {
     }
 }
 
-// In the shade of one ridge the floor has light from a strip of the sky and from the other one, which the sun lights. Measured: 10 and 5 %
-// off with the map; 24 % too bright on dark ground and 55 % too dark on bright ground without.
+// In the shade of one ridge the floor has light from a strip of the sky and from the other one, which the sun lights. Measured: 8 and 4 %
+// off with the map, 10 and 5 % if the air in the valley were not shaded; 24 % too bright on dark ground and 55 % too dark on bright ground without.
 TEST_F(TerrainLightPass, the_floor_of_a_valley_is_as_bright_as_the_path_tracers) {
     for (float const albedo : {0.1f, 0.6f}) {
         Scene const scene = valley(albedo);
@@ -83,7 +83,7 @@ TEST_F(TerrainLightPass, the_floor_of_a_valley_is_as_bright_as_the_path_tracers)
         glm::dvec3 const with = drawn(world);
         settings_.terrain_light_size = 0;
         glm::dvec3 const without = drawn(world);
-        EXPECT_LT(difference(with, expected), 0.1) << albedo;
+        EXPECT_LT(difference(with, expected), 0.09) << albedo;
         EXPECT_GT(difference(without, expected), 0.2) << albedo;
     }
 }

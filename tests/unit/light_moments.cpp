@@ -203,14 +203,14 @@ TEST(GatherRays, cover_all_directions_once) {
         }
 }
 
-TEST(LightMoments, a_narrow_lobe_sees_the_radiance_and_the_widest_nearly_what_a_wall_does) {
+TEST(LightMoments, a_narrow_lobe_sees_the_radiance_and_one_as_wide_as_the_cosines_nearly_what_a_wall_does) {
     std::array<Moments, 3> const sums = {some_moments(1), some_moments(1), some_moments(1)};
     test::Table const table = table_of(sums);
     Atmosphere const air = test::earth_air();
     LightMoments const around = sample_light_moments(table.sampler(), air, 100, 0.5f);
     for (double const nu : {-0.8, 0.1, 0.9}) {
         LightByDegree const light = light_by_degree(around, sunward(nu, 0.7));
-        EXPECT_NEAR(lobe_gain(light, 0).x, some_radiance(nu, 0.7), 1e-4);
-        EXPECT_NEAR(lobe_gain(light, 1).x, irradiance_gain(light).x / PI, 0.03); // one degree fewer in the cosine's lobe
+        EXPECT_NEAR(lobe_gain(light, 1).x, some_radiance(nu, 0.7), 1e-4);
+        EXPECT_NEAR(lobe_gain(light, 2.0f / 3).x, irradiance_gain(light).x / PI, 0.03); // but for what a Gaussian keeps of higher degrees
     }
 }

@@ -49,8 +49,8 @@ void add_above(FrameGraph& graph, FrameInputs const& in, Above const& above) {
 
 /// Radiance of the sky around the terrain, by direction and altitude.
 ImageId add_sky(FrameGraph& graph, ConstantsId frame, SkyTables const& tables) {
-    Extent const extent{TERRAIN_AZIMUTHS * TERRAIN_BANDS, TERRAIN_ALTITUDES};
-    ImageId const sky = graph.add_image("terrain_sky", {VK_FORMAT_R32G32B32A32_SFLOAT, extent}, ShowScale::radiance);
+    Extent const extent{TERRAIN_AZIMUTHS * TERRAIN_BANDS, TERRAIN_ALTITUDES}, all{extent.width, TERRAIN_SHADES * extent.height};
+    ImageId const sky = graph.add_image("terrain_sky", {VK_FORMAT_R32G32B32A32_SFLOAT, all}, ShowScale::radiance);
     graph.add(ComputePass{"terrain_sky",
                           shaders::terrain_sky_comp,
                           {constants(FRAME_SLOT, frame), sampled(TERRAIN_SKY_SUNLIGHT_SLOT, tables.sunlight),
@@ -99,6 +99,7 @@ TerrainLight add_terrain_light(FrameGraph& graph, FrameInputs const& in, Constan
                           {constants(FRAME_SLOT, frame), sampled(TERRAIN_LIGHT_SKY_SLOT, add_sky(graph, frame, sky)),
                            sampled(TERRAIN_LIGHT_GLOW_SLOT, glow.radiance, NEAREST_CLAMP),
                            sampled(TERRAIN_LIGHT_FACING_SLOT, glow.facing, NEAREST_CLAMP),
+                           sampled(TERRAIN_LIGHT_CEILING_SLOT, ceiling),
                            stored(TERRAIN_LIGHT_RESULT_SLOT, light.surfaces)},
                           graph.shape(above.depth).extent});
     std::uint32_t const coarse = graph.shape(light.air).extent.width;
