@@ -1,5 +1,5 @@
 // The table of the sun's light that gets through the air to a point, and what is read from it: the mean over the part of its disc
-// that stands above the horizon, since the way through the air at the disc's upper edge may be half of that at its lower one.
+// that stands above the horizon, since close to it the air lets several times more of the disc's upper edge through than of its lower one.
 // Table: shape and axes of the transmittance table, for the direction to the disc's upper edge; rgb = 32nd root of the optical depth
 // whose transmittance is that mean.
 #ifndef ALPENGLOW_ATMOSPHERE_SUNLIGHT_GLSL

@@ -17,6 +17,11 @@ vec2 terrain_middle(ivec2 texel) {
 // A vector from world axes to the map's.
 vec3 terrain_axes(vec3 v) { return vec3(dot(v, frame.terrain.x), dot(v, frame.terrain.y), dot(v, frame.terrain.z)); }
 
+// From the camera, in world axes [m], of a place in the map's (x, y, z).
+vec3 terrain_relative(vec2 place, float z) {
+    return frame.terrain.origin + frame.terrain.x * place.x + frame.terrain.y * place.y + frame.terrain.z * z;
+}
+
 // Without a map outside of it.
 vec2 terrain_uv(vec2 place) {
     vec2 at = (place - frame.terrain.lowest) / max(frame.terrain.texel * float(frame.terrain.size), TINY);

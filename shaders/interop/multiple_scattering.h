@@ -1,6 +1,6 @@
-// Passes `first_order` and `multiple_scattering`: the moments of the light around each node, after `transmittance`. A
+// Passes `first_order` and `multiple_scattering`: the moments of the light around each node, after `sunlight`. A
 // workgroup a node, a thread a share of its directions. The second pass runs in rounds, an order of scattering each.
-// Tables: rgba32f, the nodes' width x 6 times their height, see atmosphere/light_moments.glsl.
+// Tables: rgba32f, the nodes' width x LIGHT_TILES times their height, see atmosphere/light_moments.glsl.
 #ifndef ALPENGLOW_INTEROP_MULTIPLE_SCATTERING_H
 #define ALPENGLOW_INTEROP_MULTIPLE_SCATTERING_H
 #include "interop/frame.h"

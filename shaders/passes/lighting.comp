@@ -3,7 +3,6 @@
 #extension GL_EXT_scalar_block_layout : require
 #include "interop/frame_block.glsl"
 #include "atmosphere/sunlight.glsl"
-#include "encoding/color.glsl"
 #include "encoding/octahedral.glsl"
 #include "interop/gbuffer.h"
 #include "interop/lighting.h"

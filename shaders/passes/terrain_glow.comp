@@ -39,8 +39,7 @@ void main() {
     GroundSeen ground = ground_from_above(at, place);
     vec3 up = frame.terrain.z;
     float altitude = max(frame.terrain.altitude + ground.z + sphere_fall(place), 0.0), mu_s = dot(up, frame.to_sun);
-    vec3 relative = frame.terrain.origin + frame.terrain.x * place.x + frame.terrain.y * place.y + up * ground.z;
-    CeilingPlace in_ceiling = ceiling_surface_place(frame.ceiling, frame.light_from_world * relative);
+    CeilingPlace in_ceiling = ceiling_surface_place(frame.ceiling, frame.light_from_world * terrain_relative(place, ground.z));
     float towards_sun = dot(ground.normal, frame.to_sun);
     vec3 sun = sample_sun_transmittance(sunlight_table, frame.atmosphere, altitude, mu_s) *
                (max(towards_sun, 0.0) * ceiling_visibility(ceiling_map, frame.ceiling, in_ceiling));

@@ -71,9 +71,7 @@ struct Shade {
 };
 
 Shade shade_over(ivec2 at, float z) {
-    vec2 place = terrain_middle(at);
-    vec3 relative = frame.terrain.origin + frame.terrain.x * place.x + frame.terrain.y * place.y + frame.terrain.z * z;
-    CeilingPlace in_ceiling = ceiling_surface_place(frame.ceiling, frame.light_from_world * relative);
+    CeilingPlace in_ceiling = ceiling_surface_place(frame.ceiling, frame.light_from_world * terrain_relative(terrain_middle(at), z));
     vec2 caster = textureLod(ceiling_map, in_ceiling.uv, 0.0).rg;
     vec3 sun = terrain_axes(frame.to_sun), over = normalize(vec3(-sun.xy * sun.z, max(1.0 - sun.z * sun.z, 1e-6)));
     float depth = max(caster.x - in_ceiling.over, 0.0);
