@@ -11,7 +11,6 @@
 #include "sandbox/render_scale.h"
 #include "sandbox/saved_views.h"
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <utility>
@@ -131,10 +130,10 @@ void WindowFlight::steer(WindowEvents const& events, double dt) {
         screen_.panel = true;
     }
     bool const typing = panel_.wants_keyboard();
-    if (!typing && std::ranges::find(events.pressed, key::ESCAPE) != events.pressed.end()) window_.request_close();
+    if (!typing && events.has_pressed(key::ESCAPE)) window_.request_close();
     FlyInput input = look(events);
     if (!typing) {
-        act_on_keys(target(), events.pressed, window_.shift());
+        act_on_keys(target(), events.pressed);
         FlyInput const held = held_input(window_, events, dt);
         input.move = held.move, input.roll = held.roll, input.boost = held.boost;
     }
@@ -151,14 +150,14 @@ bool WindowFlight::takes_over(WindowEvents const& events) {
 
 /// The mouse turns the camera as far as the picture is wide under it, while a button is held.
 FlyInput WindowFlight::look(WindowEvents const& events) {
-    bool const looks = window_.button_down() && (looking_ || (events.button_pressed && !panel_.wants_mouse()));
-    if (looks != looking_) window_.capture_mouse(looks);
-    bool const looked = std::exchange(looking_, looks);
+    bool const looked = looking_ || (events.button_pressed && !panel_.wants_mouse());
+    bool const looks = looked && window_.button_down();
+    if (looks != std::exchange(looking_, looks)) window_.capture_mouse(looks);
     FlyInput input;
-    if (!looked && !looks) return input;
+    if (!looked) return input;
     double const radians = pilot_.view().camera.vertical_fov / window_.height();
-    input.yaw = events.mouse_moved.x * radians;
-    input.pitch = -events.mouse_moved.y * radians;
+    input.yaw = events.mouse_dragged.x * radians;
+    input.pitch = -events.mouse_dragged.y * radians;
     return input;
 }
 

@@ -90,8 +90,8 @@ constexpr std::array ROWS = {
 
 std::span<KeyRow const> key_rows() { return ROWS; }
 
-void act_on_keys(KeyTarget target, std::vector<int> const& pressed, bool shift) {
-    for (int const key : pressed) {
+void act_on_keys(KeyTarget target, std::vector<KeyPress> const& pressed) {
+    for (auto const [key, shift] : pressed) {
         for (KeyRow const& row : ROWS) {
             if (row.act && (key == row.more || key == row.less)) row.act(target, key == row.more ? 1 : -1, shift);
         }
@@ -100,9 +100,7 @@ void act_on_keys(KeyTarget target, std::vector<int> const& pressed, bool shift) 
 
 FlyInput held_input(Window const& window, WindowEvents const& events, double dt) {
     // A tap within one slow frame is over before anyone looks.
-    auto const held = [&](int key) {
-        return window.is_down(key) || std::ranges::find(events.pressed, key) != events.pressed.end();
-    };
+    auto const held = [&](int key) { return window.is_down(key) || events.has_pressed(key); };
     auto const axis = [&](int more, int less) { return double(held(more)) - double(held(less)); };
     FlyInput input;
     input.move = {axis('D', 'A'), axis('E', 'Q'), axis('W', 'S')};

@@ -34,7 +34,7 @@ struct KeyRow {
 std::span<KeyRow const> key_rows();
 
 /// What each key that was pressed does.
-void act_on_keys(KeyTarget target, std::vector<int> const& pressed, bool shift);
+void act_on_keys(KeyTarget target, std::vector<KeyPress> const& pressed);
 /// What the keys that are down, or were since the last time, ask of the camera in `dt` [s].
 FlyInput held_input(Window const& window, WindowEvents const& events, double dt);
 

@@ -40,11 +40,11 @@ GLFWwindow* make_window(Extent size, std::string const& title) {
 struct Window::Callbacks {
     static Window& window(GLFWwindow* handle) { return *static_cast<Window*>(glfwGetWindowUserPointer(handle)); }
 
-    static void key(GLFWwindow* handle, int key, int, int action, int) {
+    static void key(GLFWwindow* handle, int key, int, int action, int modifiers) {
         if (key < 0 || static_cast<std::size_t>(key) >= KEYS) return;
         Window& self = window(handle);
         self.down_[static_cast<std::size_t>(key)] = action != GLFW_RELEASE;
-        if (action != GLFW_RELEASE) self.events_.pressed.push_back(key);
+        if (action != GLFW_RELEASE) self.events_.pressed.push_back({key, (modifiers & GLFW_MOD_SHIFT) != 0});
     }
     static void button(GLFWwindow* handle, int, int action, int) {
         Window& self = window(handle);
@@ -53,7 +53,9 @@ struct Window::Callbacks {
     }
     static void move(GLFWwindow* handle, double x, double y) {
         Window& self = window(handle);
-        if (self.mouse_known_) self.events_.mouse_moved += glm::dvec2(x, y) - self.mouse_;
+        glm::dvec2 const moved = self.mouse_known_ ? glm::dvec2(x, y) - self.mouse_ : glm::dvec2(0);
+        self.events_.mouse_moved += moved;
+        if (self.button_down()) self.events_.mouse_dragged += moved;
         self.mouse_ = {x, y};
         self.mouse_known_ = true;
     }

@@ -5,6 +5,7 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -19,13 +20,22 @@ namespace key {
 inline constexpr int ESCAPE = 256, TAB = 258, F1 = 290, F2 = 291, LEFT_SHIFT = 340, RIGHT_SHIFT = 344;
 }
 
+/// A key that went down, and whether Shift was down then: on a slow device both may be up again when anyone looks.
+struct KeyPress {
+    int key;
+    bool shift;
+};
+
 /// What happened between two polls.
 struct WindowEvents {
-    std::vector<int> pressed;    ///< keys, repeats of held ones included
-    glm::dvec2 mouse_moved{0};   ///< [screen units] right, down
-    double wheel = 0;            ///< notches, away from the user
-    bool button_pressed = false; ///< any of the mouse
-    bool resized = false;        ///< the framebuffer has another size now
+    std::vector<KeyPress> pressed; ///< repeats of held keys included
+    glm::dvec2 mouse_moved{0};     ///< [screen units] right, down
+    glm::dvec2 mouse_dragged{0};   ///< [screen units] what of it was with a button down
+    double wheel = 0;              ///< notches, away from the user
+    bool button_pressed = false;   ///< any of the mouse
+    bool resized = false;          ///< the framebuffer has another size now
+
+    bool has_pressed(int key) const { return std::ranges::find(pressed, key, &KeyPress::key) != pressed.end(); }
 };
 
 /// A window with its keyboard and mouse. The only file that knows GLFW is its source.
