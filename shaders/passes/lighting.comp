@@ -54,6 +54,14 @@ vec3 without_glow(vec3 mirrored, vec3 sky, vec3 middle, float hidden) {
     return mix(mirrored, min(mirrored, sky / PI), sunward * hidden);
 }
 
+// What turns away from the sun is in its own shadow, which comes on softly below these cosines. Level ground has none: the light of the
+// sun knows the planet's horizon.
+const float GRAZING = 0.02, LOWEST_SUN = 0.002;
+
+float own_light(float cosine, float level) {
+    return min(smoothstep(0.0, GRAZING, cosine) / smoothstep(0.0, GRAZING, max(level, LOWEST_SUN)), 1.0);
+}
+
 LobeTowards lobe_towards(Lobe lobe, vec3 up) { return LobeTowards(cosine(lobe.middle, up), cosine(lobe.middle, frame.to_sun), lobe.mean_length); }
 
 // Light that leaves a surface towards the camera, for a unit of the sun's irradiance above the air, and the shadow on it.
@@ -88,7 +96,7 @@ vec3 surface_radiance(ViewRay ray, AirPoint place) {
         visibility = surface_visibility(light, frame.light_from_world * facing);
         lit.mirrored.plain = without_glow(lit.mirrored.plain, lit.sky, lobes.plain.middle, 1.0 - visibility);
         lit.mirrored.grazing = without_glow(lit.mirrored.grazing, lit.sky, lobes.grazing.middle, 1.0 - visibility);
-        visibility *= smoothstep(0.0, 0.02, dot(facing, frame.to_sun)); // what turns away from the sun is in its own shadow
+        visibility *= own_light(dot(facing, frame.to_sun), place.mu_s);
     }
 
     float shaded_sky = has_flag(FRAME_HAS_AIR) ? mix(SHADED_SKY, 1.0, visibility) : 1.0; // without air no sky is bright around the sun

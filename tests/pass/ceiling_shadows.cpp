@@ -60,6 +60,17 @@ TEST_F(CeilingShadows, of_a_ridge_fall_on_the_ground_sixty_kilometres_behind_it)
     EXPECT_LT(std::ranges::count_if(without, [](double v) { return v < 0.5; }), 0.5 * dark);
 }
 
+// The planet's ground 30 km beside a small ridge, the sun 0.6 degrees high: nothing hides it. Normals of 16 bits put 0.7 % on so low a sun.
+TEST_F(CeilingShadows, leave_low_sunlight_on_the_planet_as_it_is_without_a_scene) {
+    Scene scene = scene_of({matte(glm::vec3(0.5))});
+    add_ridge(scene, {-200, -200, 0}, {200, -200, 0}, 400, 300);
+    put(scene, stand_);
+    Camera const camera = stand_.camera({30000, 2000, 0}, {30000, 0, 0}, glm::radians(60.0), {0, 0, -1});
+    std::vector<double> const seen = visibility(stand_.view(camera, sun_at(0.6, 0)), settings_, EXTENT);
+    EXPECT_GT(std::ranges::min(seen), 0.99);
+    EXPECT_LT(std::ranges::max(seen), 1.01);
+}
+
 namespace {
 
 constexpr double RIDGE_HEIGHT = 200, SUN_ELEVATION = 20; // [m, degrees]
