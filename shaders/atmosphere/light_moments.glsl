@@ -98,10 +98,14 @@ INLINE LightByDegree light_by_degree(IN(LightMoments) light, SunwardDirection di
 // The B_i of the sun's own direction.
 INLINE Moments sun_basis() { return moment_basis(SunwardDirection(1.0f, 0.0f)); }
 
-// The share of the light that comes from around the sun: so much from the sun's own direction would have its moment of degree 4.
+// What the glow around the sun has of degree 4, of what so much light from the sun's own direction has, and what a sky without glow has:
+// tuned against the path tracer, docs/decisions/0008_light_in_shadow.md.
+CONSTANT float GLOW_DEGREE_4 = 0.625f, EVEN_SKY_DEGREE_4 = 0.0375f;
+
+// The share of the light that comes from around the sun, by the moment of degree 4.
 INLINE vec3 glow_share(IN(LightMoments) light) {
-    vec3 along4 = vec3(light.channel[0].part[0].w, light.channel[1].part[0].w, light.channel[2].part[0].w);
-    return clamp(along4 * vec3(1.0f / sun_basis().part[0].w), vec3(0.0f), vec3(1.0f));
+    vec3 along4 = vec3(light.channel[0].part[0].w, light.channel[1].part[0].w, light.channel[2].part[0].w) * vec3(1.0f / sun_basis().part[0].w);
+    return clamp((along4 - vec3(EVEN_SKY_DEGREE_4)) * vec3(1.0f / GLOW_DEGREE_4), vec3(0.0f), vec3(1.0f));
 }
 
 // What a medium of this phase scatters of light from the sun's own direction, of mean 1, by the degrees that are known of it: the

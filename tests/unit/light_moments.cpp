@@ -176,14 +176,16 @@ TEST(LightMoments, the_glow_is_what_comes_from_around_the_sun) {
     constexpr float SHARE = 0.3f;
     LightMoments light{};
     for (Moments& channel : light.channel) channel = scaled(sun_basis(), SHARE);
-    EXPECT_NEAR(glow_share(light).x, SHARE, 1e-6);
+    LightMoments wide = light; // the glow as wide as it is, and an uneven sky
+    wide.channel[0].part[0].w = (SHARE * GLOW_DEGREE_4 + EVEN_SKY_DEGREE_4) * sun_basis().part[0].w;
+    EXPECT_NEAR(glow_share(wide).x, SHARE, 1e-6);
     PhaseMoments const forward = {{0.67f, 0.43f, 0.25f, 0.12f, 0.05f}};
     for (double const nu : {1.0, 0.8, 0.3}) {
         float const gain = scattered_gain(forward, light_by_degree(light, sunward(nu, 0.8))).x;
         EXPECT_NEAR(gain - SHARE * phase_series(forward, float(nu)), (1 - SHARE) * forward.degree[0], 1e-5) << nu;
     }
-    light.channel[0].part[0].w = -0.1f;
-    EXPECT_EQ(glow_share(light).x, 0);
+    wide.channel[0].part[0].w = 0.5f * EVEN_SKY_DEGREE_4;
+    EXPECT_EQ(glow_share(wide).x, 0);
 }
 
 TEST(GatherRays, cover_all_directions_once) {
