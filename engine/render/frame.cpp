@@ -28,7 +28,7 @@ void build_frame(FrameGraph& graph, FrameInputs const& in) {
 
     AirTables const tables = add_air_tables(graph, in, frame);
     SunShadow const shadow{add_sun_shadow(graph, in, frame), add_shadow_ceiling(graph, in)};
-    ImageId const shadow_bounds = add_shadow_bounds(graph, shadow.cascades);
+    ImageId const shadow_bounds = add_shadow_bounds(graph, in, shadow.cascades);
     TerrainLight const terrain_light = add_terrain_light(graph, in, frame, tables.over_terrain, shadow.ceiling);
     ImageId toned;
     for (int sample = 0; sample < in.settings.aa; ++sample) {

@@ -59,6 +59,7 @@ AirLayers unrepaired(AirLayers const& exact, std::uint32_t stride) {
 
 struct Level {
     char const* shafts;
+    int samples;
     double tolerance; // of render/passes/air.cpp
 };
 
@@ -140,14 +141,15 @@ TEST_F(AirRepair, leaves_the_suns_disc_as_bright_as_it_is) {
 // The pass's own tolerances bound interpolation's error by what the pixels around lead to expect. Before the sun errors are judged by
 // the picture's mean light: judged by the light there they would be over the bounds.
 TEST_F(AirRepair, is_as_close_to_air_marched_everywhere_as_its_tolerance_says) {
-    for (Level const& level : {Level{"default", 0.006}, Level{"fast", 0.1}}) {
+    for (Level const& level : {Level{"default", 16, 0.006}, Level{"default", 4, 0.096}, Level{"fast", 16, 0.1}}) {
+        settings_.samples = level.samples;
         for (Case const& given : {masts(), ridge(), wall()}) {
             put(given.scene, stand_);
             AirLayers const exact = air(given, level.shafts, 1);
             for (int const stride : {2, 4}) {
                 std::vector<double> const found = errors(air(given, level.shafts, stride), exact);
-                EXPECT_LT(permille_above(found), std::max(0.8 * level.tolerance, given.permille)) << given.name << ", " << level.shafts << ", stride " << stride;
-                EXPECT_LT(found.back(), std::max(1.2 * level.tolerance, given.worst)) << given.name << ", " << level.shafts << ", stride " << stride;
+                EXPECT_LT(permille_above(found), std::max(0.8 * level.tolerance, given.permille)) << given.name << ", " << level.shafts << ", " << level.samples << " samples, stride " << stride;
+                EXPECT_LT(found.back(), std::max(1.2 * level.tolerance, given.worst)) << given.name << ", " << level.shafts << ", " << level.samples << " samples, stride " << stride;
             }
         }
     }
@@ -190,4 +192,17 @@ TEST_F(AirRepair, is_worse_with_a_larger_tolerance_and_useless_if_left_out) {
         // Skylines are more than a thousandth of the picture, and whole rays are at stake there.
         for (std::uint32_t const stride : {2u, 4u}) EXPECT_GT(permille_above(errors(unrepaired(exact, stride), exact)), 1) << given.name;
     }
+}
+
+// The rays themselves are farther off then.
+TEST_F(AirRepair, is_worse_between_rays_of_few_samples) {
+    Case const given = ridge();
+    put(given.scene, stand_);
+    auto const typical = [&](int samples) {
+        settings_.samples = samples;
+        return share_below(errors(air(given, "default", 4), air(given, "default", 1)), 0.95);
+    };
+    double const of_sixteen = typical(16);
+    EXPECT_GT(typical(8), 1.5 * of_sixteen);
+    EXPECT_GT(typical(4), 3 * of_sixteen);
 }

@@ -29,9 +29,8 @@ Scene many_boxes() {
 
 class ShadowBounds : public RenderTest {
 protected:
-    void draw(int cascades, int size) {
+    void draw(int cascades, int size, Settings settings = plain_settings()) {
         put(many_boxes(), stand_);
-        Settings settings = plain_settings();
         settings.cascades = cascades;
         settings.cascade_size = size;
         settings.ceiling_size = 0;
@@ -90,6 +89,16 @@ TEST_F(ShadowBounds, are_those_of_each_block_and_of_the_blocks_behind_it) {
             EXPECT_EQ(wrong(image("shadow_blocks"), 1), 0) << cascades << " cascades of " << size;
             EXPECT_EQ(wrong(image("shadow_bounds"), 2), 0) << cascades << " cascades of " << size;
         }
+    }
+}
+
+TEST_F(ShadowBounds, are_not_made_where_no_ray_looks_for_shafts) {
+    Settings without = plain_settings(), other_model = plain_settings();
+    without.shafts = "off";
+    other_model.model = "tables";
+    for (Settings const& settings : {without, other_model}) {
+        draw(4, 512, settings);
+        EXPECT_EQ(image("shadow_bounds").size(), 4 * shader::bounds_width(1));
     }
 }
 

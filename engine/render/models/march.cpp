@@ -156,6 +156,7 @@ AirModel make_march() {
             .sky = sky_tables,
             .air_variant = air_variant,
             .air_stride = air_stride,
+            .finds_shafts = true,
             .limits = [](World const&, Settings const&, bool) -> std::string_view { return {}; }};
 }
 

@@ -65,6 +65,7 @@ struct AirModel {
     /// From one pixel to the next whose air is worked out [pixels]: 1, 2 or 4; between them it is interpolated where it
     /// is smooth. Models without this work out every pixel's.
     int (*air_stride)(Settings const& settings) = nullptr;
+    bool finds_shafts = false; ///< its air asks the shadows' bounds where it is lit
     /// What the model leaves out or can't do in this world, with meshes in it or without, in one sentence; empty where
     /// it applies in full.
     std::string_view (*limits)(World const& world, Settings const& settings, bool meshes);

@@ -6,12 +6,20 @@
 
 #include <embedded_shaders.h>
 
+#include <algorithm>
+
 namespace alpenglow {
 
 namespace {
 
-/// What interpolated light may be off by, as a share of the air's light or of what is behind it: docs/shafts.md.
-constexpr float TOLERANCE = 0.006f, FAST_TOLERANCE = 0.1f;
+/// What interpolated light may be off by, as a share of the air's light or of what is behind it: docs/shafts.md. With fewer samples than
+/// these the marched light is itself farther off, by the square, and repairing what lies between its rays buys nothing.
+constexpr float TOLERANCE = 0.006f, FAST_TOLERANCE = 0.1f, FEW_SAMPLES = 16;
+
+float tolerance(Settings const& settings) {
+    float const few = std::max(1.0f, FEW_SAMPLES / static_cast<float>(settings.samples));
+    return std::max(settings.shafts == "fast" ? FAST_TOLERANCE : 0.0f, few * few * TOLERANCE);
+}
 
 /// Texels whose pixels reach to the picture's end or beyond.
 std::uint32_t side_of(std::uint32_t pixels, int stride) {
@@ -98,9 +106,7 @@ private:
         return made;
     }
 
-    shader::AirPush push(int stride, int kind = 0) const {
-        return {stride, in_.settings.shafts == "fast" ? FAST_TOLERANCE : TOLERANCE, kind};
-    }
+    shader::AirPush push(int stride, int kind = 0) const { return {stride, tolerance(in_.settings), kind}; }
 
     void march(std::string name, ShaderCode const& shader, AirLayer const& made, std::vector<Slot> slots,
                Slot (*out)(std::uint32_t, ImageId), shader::AirPush const& push, Extent threads) {

@@ -1,6 +1,7 @@
 #include "render/passes/shadow_bounds.h"
 
 #include "interop/shadow_bounds.h"
+#include "render/models/model.h"
 
 #include <bit>
 #include <embedded_shaders.h>
@@ -9,9 +10,13 @@ namespace alpenglow {
 
 namespace {
 
-ImageId add_shadow_blocks(FrameGraph& graph, ImageId cascades) {
+bool shafts_are_looked_for(FrameInputs const& in) {
+    return in.air.model.finds_shafts && (in.constants.front().flags & FRAME_SHAFTS) != 0;
+}
+
+/// `side`: blocks of a cascade each way, a power of two.
+ImageId add_shadow_blocks(FrameGraph& graph, ImageId cascades, std::uint32_t side) {
     ImageShape const shadow = graph.shape(cascades);
-    std::uint32_t const side = std::bit_ceil((shadow.extent.width + SHADOW_BLOCK - 1) / SHADOW_BLOCK);
     Extent const size{static_cast<std::uint32_t>(shader::bounds_width(static_cast<int>(side))), side * shadow.layers};
     ImageId const blocks = graph.add_image("shadow_blocks", {VK_FORMAT_R32G32_SFLOAT, size}, ShowScale::unit);
     for (int level = 0; side >> level > 0; ++level) {
@@ -28,8 +33,9 @@ ImageId add_shadow_blocks(FrameGraph& graph, ImageId cascades) {
 
 } // namespace
 
-ImageId add_shadow_bounds(FrameGraph& graph, ImageId cascades) {
-    ImageId const blocks = add_shadow_blocks(graph, cascades);
+ImageId add_shadow_bounds(FrameGraph& graph, FrameInputs const& in, ImageId cascades) {
+    std::uint32_t const blocks_each_way = (graph.shape(cascades).extent.width + SHADOW_BLOCK - 1) / SHADOW_BLOCK;
+    ImageId const blocks = add_shadow_blocks(graph, cascades, shafts_are_looked_for(in) ? std::bit_ceil(blocks_each_way) : 1);
     ImageShape const shape = graph.shape(blocks);
     ImageId const bounds = graph.add_image("shadow_bounds", shape, ShowScale::unit);
     graph.add(ComputePass{"shadow_bounds",
