@@ -54,8 +54,8 @@ vec3 without_glow(vec3 mirrored, vec3 sky, vec3 middle, float hidden) {
     return mix(mirrored, min(mirrored, sky / PI), sunward * hidden);
 }
 
-// What turns away from the sun is in its own shadow, which comes on softly below these cosines. Level ground has none: the light of the
-// sun knows the planet's horizon.
+// What turns away from the sun is in its own shadow, which comes on softly below the first of these cosines (tuned: there shadow maps are
+// too coarse for facets). Level ground has none: the light of the sun knows the planet's horizon.
 const float GRAZING = 0.02, LOWEST_SUN = 0.002;
 
 float own_light(float cosine, float level) {
